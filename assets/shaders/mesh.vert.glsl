@@ -1,0 +1,27 @@
+// Meshes, many alike at once. Also draws the shadow map, with the sun's matrix and no fragment colour.
+
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec4 row0;
+layout(location = 3) in vec4 row1;
+layout(location = 4) in vec4 row2;
+layout(location = 5) in vec4 color;
+layout(location = 6) in vec4 material;
+
+uniform mat4 matrix;
+
+out vec3 place;
+out vec3 facing;
+flat out vec4 surface_color;
+flat out vec4 surface_material;
+
+void main() {
+  vec4 p = vec4(position, 1.0);
+  place = vec3(dot(row0, p), dot(row1, p), dot(row2, p));
+  // The rows of the matrix of cofactors: turns normals rightly whatever the scale.
+  facing = vec3(dot(cross(row1.xyz, row2.xyz), normal), dot(cross(row2.xyz, row0.xyz), normal),
+                dot(cross(row0.xyz, row1.xyz), normal));
+  surface_color = color;
+  surface_material = material;
+  gl_Position = matrix * vec4(place, 1.0);
+}

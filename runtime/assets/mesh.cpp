@@ -1,0 +1,173 @@
+#include "assets/mesh.h"
+
+#include <algorithm>
+
+#include "base/hash.h"
+
+namespace tumble {
+namespace {
+
+constexpr int kSides = 32;       // around the axis
+constexpr int kRings = 16;       // from pole to pole
+constexpr int kTorusSides = 48;  // around the axis
+constexpr int kTubeSides = 16;
+
+std::uint32_t add_vertex(Mesh& mesh, Vec3 position, Vec3 normal) {
+  const auto f = [](double value) { return static_cast<float>(value); };
+  mesh.vertices.push_back({{f(position.x), f(position.y), f(position.z)}, {f(normal.x), f(normal.y), f(normal.z)}});
+  return static_cast<std::uint32_t>(mesh.vertices.size() - 1);
+}
+
+void add_triangle(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+  mesh.triangles.insert(mesh.triangles.end(), {a, b, c});
+}
+
+// A flat polygon, counter-clockwise seen from outside.
+void add_face(Mesh& mesh, const std::vector<Vec3>& corners) {
+  const Vec3 normal = normalized(cross(corners[1] - corners[0], corners[2] - corners[0]));
+  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+  for (const Vec3 corner : corners) add_vertex(mesh, corner, normal);
+  for (std::uint32_t i = 2; i < corners.size(); ++i) add_triangle(mesh, first, first + i - 1, first + i);
+}
+
+// The direction across the axis at step i of n; exact at the seam, so that first and last vertices coincide.
+Vec3 around(int i, int n) {
+  const double angle = 2 * kPi * (i % n) / n;
+  return {std::sin(angle), 0, std::cos(angle)};
+}
+
+// A point of an outline to be turned about y: `across` from the axis, at height `y`, with the outline's normal there.
+struct Outline {
+  double across, y;
+  double normal_across, normal_y;
+};
+
+// Turns an outline that runs upwards about the y axis. Points on the axis give no degenerate triangles.
+void add_turned(Mesh& mesh, const std::vector<Outline>& outline, int sides) {
+  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+  for (int i = 0; i <= sides; ++i)
+    for (const Outline& p : outline) {
+      const Vec3 out = around(i, sides);
+      add_vertex(mesh, out * p.across + Vec3{0, p.y, 0}, out * p.normal_across + Vec3{0, p.normal_y, 0});
+    }
+  const auto n = static_cast<std::uint32_t>(outline.size());
+  for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(sides); ++i)
+    for (std::uint32_t k = 0; k + 1 < n; ++k) {
+      const std::uint32_t low = first + i * n + k, next = low + n;
+      if (outline[k].across > 0) add_triangle(mesh, low, next, low + 1);
+      if (outline[k + 1].across > 0) add_triangle(mesh, low + 1, next, next + 1);
+    }
+}
+
+// A quarter or half circle's share of an outline: `rings` steps from angle `from` to `to` above the horizontal.
+void add_arc(std::vector<Outline>& outline, double across, double y, double radius, double from, double to, int rings) {
+  for (int i = 0; i <= rings; ++i) {
+    const double angle = from + (to - from) * i / rings;
+    const bool pole = std::abs(std::abs(angle) - kPi / 2) < 1e-9 && across == 0;
+    const double cosine = pole ? 0 : std::cos(angle), sine = std::sin(angle);
+    outline.push_back({across + radius * cosine, y + radius * sine, cosine, sine});
+  }
+}
+
+Mesh make_box(Vec3 size) {
+  const Vec3 h = size / 2;
+  const Vec3 c[8] = {{-h.x, -h.y, -h.z}, {h.x, -h.y, -h.z}, {h.x, -h.y, h.z}, {-h.x, -h.y, h.z},
+                     {-h.x, h.y, -h.z},  {h.x, h.y, -h.z},  {h.x, h.y, h.z},  {-h.x, h.y, h.z}};
+  constexpr int faces[6][4] = {{0, 1, 2, 3}, {7, 6, 5, 4}, {3, 2, 6, 7}, {1, 0, 4, 5}, {2, 1, 5, 6}, {0, 3, 7, 4}};
+  Mesh mesh;
+  for (const auto& f : faces) add_face(mesh, {c[f[0]], c[f[1]], c[f[2]], c[f[3]]});
+  return mesh;
+}
+
+Mesh make_pyramid(Vec3 size) {
+  const Vec3 h = size / 2;
+  const Vec3 a{-h.x, -h.y, -h.z}, b{h.x, -h.y, -h.z}, c{h.x, -h.y, h.z}, d{-h.x, -h.y, h.z}, top{0, h.y, 0};
+  Mesh mesh;
+  add_face(mesh, {a, b, c, d});
+  for (const auto& [from, to] : {std::pair{d, c}, {c, b}, {b, a}, {a, d}}) add_face(mesh, {from, to, top});
+  return mesh;
+}
+
+Mesh make_plane(Vec3 size) {
+  const double x = size.x / 2, z = size.z / 2;
+  Mesh mesh;
+  add_face(mesh, {{-x, 0, z}, {x, 0, z}, {x, 0, -z}, {-x, 0, -z}});
+  add_face(mesh, {{-x, 0, -z}, {x, 0, -z}, {x, 0, z}, {-x, 0, z}});
+  return mesh;
+}
+
+// A sphere cut at its equator and pulled apart; with height 2 radius, a sphere.
+Mesh make_capsule(double radius, double height) {
+  const double half = std::max(0.0, height / 2 - radius);
+  std::vector<Outline> outline;
+  add_arc(outline, 0, -half, radius, -kPi / 2, 0, kRings / 2);
+  if (half == 0) outline.pop_back();
+  add_arc(outline, 0, half, radius, 0, kPi / 2, kRings / 2);
+  Mesh mesh;
+  add_turned(mesh, outline, kSides);
+  return mesh;
+}
+
+// A disc across the axis, facing up or down.
+void add_cap(Mesh& mesh, double radius, double y, bool up) {
+  if (up) add_turned(mesh, {{radius, y, 0, 1}, {0, y, 0, 1}}, kSides);
+  else add_turned(mesh, {{0, y, 0, -1}, {radius, y, 0, -1}}, kSides);
+}
+
+Mesh make_cylinder(double radius, double height) {
+  Mesh mesh;
+  add_cap(mesh, radius, -height / 2, false);
+  add_turned(mesh, {{radius, -height / 2, 1, 0}, {radius, height / 2, 1, 0}}, kSides);
+  add_cap(mesh, radius, height / 2, true);
+  return mesh;
+}
+
+Mesh make_cone(double radius, double height) {
+  const double slant = std::hypot(radius, height);
+  const double across = height / slant, up = radius / slant;
+  Mesh mesh;
+  add_cap(mesh, radius, -height / 2, false);
+  add_turned(mesh, {{radius, -height / 2, across, up}, {0, height / 2, across, up}}, kSides);
+  return mesh;
+}
+
+Mesh make_torus(double radius, double thickness) {
+  std::vector<Outline> outline;
+  add_arc(outline, radius, 0, thickness / 2, -kPi, kPi, kTubeSides);
+  outline.back() = outline.front();
+  Mesh mesh;
+  add_turned(mesh, outline, kTorusSides);
+  return mesh;
+}
+
+}  // namespace
+
+bool is_stand_in(const Shape& shape) {
+  if (shape.shape == ShapeKind::hull) return shape.points.empty();
+  return shape.shape == ShapeKind::mesh || shape.shape == ShapeKind::height_field;
+}
+
+Mesh make_mesh(const Shape& shape) {
+  if (is_stand_in(shape)) return make_box(shape.size);
+  switch (shape.shape) {
+    case ShapeKind::sphere: return make_capsule(shape.radius, 2 * shape.radius);
+    case ShapeKind::capsule: return make_capsule(shape.radius, shape.height);
+    case ShapeKind::cylinder: return make_cylinder(shape.radius, shape.height);
+    case ShapeKind::cone: return make_cone(shape.radius, shape.height);
+    case ShapeKind::pyramid: return make_pyramid(shape.size);
+    case ShapeKind::plane: return make_plane(shape.size);
+    case ShapeKind::torus: return make_torus(shape.radius, shape.thickness);
+    case ShapeKind::hull: return make_hull(shape.points);
+    default: return make_box(shape.size);
+  }
+}
+
+std::uint64_t mesh_key(const Shape& shape) {
+  Hash hash;
+  hash.add(static_cast<std::uint64_t>(shape.shape)).add(shape.size).add(shape.radius).add(shape.height);
+  hash.add(shape.thickness).add(shape.file).add(static_cast<std::uint64_t>(shape.points.size()));
+  for (const Vec3 point : shape.points) hash.add(point);
+  return hash.value();
+}
+
+}  // namespace tumble

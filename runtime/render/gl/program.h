@@ -1,0 +1,41 @@
+// A shader program from embedded sources, and its uniforms by name.
+#pragma once
+
+#include <array>
+#include <initializer_list>
+#include <map>
+#include <string>
+
+#include <Eigen/Core>
+
+#include "base/math.h"
+#include "render/gl/functions.h"
+
+namespace tumble {
+
+class Program {
+ public:
+  // Files of assets/shaders, each stage's put one after the other. Throws Error with the driver's words.
+  Program(const Gl& gl, std::initializer_list<const char*> vertex, std::initializer_list<const char*> fragment);
+  ~Program();
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  void use() const;
+  // Of the program in use. A name that the shader does not know, or does not need, is no mistake.
+  void set(const char* name, int value) const;
+  void set(const char* name, double value) const;
+  void set(const char* name, double x, double y) const;
+  void set(const char* name, Vec3 value) const;
+  void set(const char* name, const std::array<float, 4>& rgb) const;
+  void set(const char* name, const Eigen::Matrix4d& value) const;
+
+ private:
+  GLint location(const char* name) const;
+
+  const Gl& gl_;
+  GLuint program_ = 0;
+  mutable std::map<std::string, GLint, std::less<>> locations_;
+};
+
+}  // namespace tumble
