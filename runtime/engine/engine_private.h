@@ -1,0 +1,52 @@
+// What the engine's own files share: the data behind engine.h.
+#pragma once
+
+#include <map>
+
+#include "engine/engine.h"
+
+namespace tumble {
+
+// What restart_scene gives a node back, beside its handle.
+struct FirstNode {
+  NodeDef def;          // without children
+  NodeId parent;
+  bool given_id = false;
+  std::uint64_t serial = 0;
+  Origin origin = Origin::declared;
+};
+
+struct Engine::Private {
+  // By node index; emptied before a node goes.
+  struct Extra {
+    std::unique_ptr<BodyComponent> body;
+    std::vector<JointRef> joints;  // by age
+  };
+  std::vector<Extra> extras;
+  std::map<NodeId, FirstNode> first_nodes;
+  std::map<JointRef, JointRecord> first_joints;
+  std::uint64_t next_joint_serial = 1;
+  NodeId loaded_root;      // also while it is destroyed; none before a load
+  NodeId own_camera;       // the one that camera() made
+  bool camera_checked = false;
+
+  Extra& extra(NodeId node) {
+    if (node.index >= extras.size()) extras.resize(node.index + 1);
+    return extras[node.index];
+  }
+  // By age, parents before their children.
+  std::vector<NodeId> first_nodes_by_age() const;
+  const Extra* find(NodeId node) const { return node.index < extras.size() ? &extras[node.index] : nullptr; }
+};
+
+// Handles as the world's user numbers.
+template <class T>
+std::uint64_t pack(Handle<T> handle) {
+  return std::uint64_t{handle.generation} << 32 | handle.index;
+}
+template <class T>
+Handle<T> unpack(std::uint64_t number) {
+  return {static_cast<std::uint32_t>(number), static_cast<std::uint32_t>(number >> 32)};
+}
+
+}  // namespace tumble
