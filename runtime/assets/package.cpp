@@ -64,11 +64,11 @@ class FolderPackage : public Package {
     if (folds_case_ && !spelled_exactly(path)) return std::nullopt;
 
     // A package holds no links, so one may only stand for a file of the same game.
-    const fs::path real = fs::canonical(file, error), parent = fs::canonical(file.parent_path(), error);
+    const fs::path real = fs::canonical(file, error);
     if (error) return std::nullopt;
     if (!real.native().starts_with(root_.native() + '/'))
       fail("file '", path, "': a link that leads out of the game '", name(), "'; copy the file into the game");
-    if (parent != file.parent_path())
+    if (fs::canonical(file.parent_path(), error) != file.parent_path())
       fail("file '", path, "': '", fs::path(path).parent_path().string(), "' is a link; copy the folder instead");
     return real;
   }
