@@ -1,0 +1,21 @@
+#include "physics/world.h"
+
+namespace tumble {
+
+void describe(WorldSettings& settings, Schema& s) {
+  s.name("physics", "The physical world.");
+  s.add("gravity", settings.gravity, "m/s^2.");
+  s.add("substeps", settings.substeps, "Parts of one step; more is stiffer and dearer.").between(1, 64);
+  s.add("iterations", settings.iterations, "Rounds of the solver in each substep.").between(1, 1000);
+  s.add("sleeping", settings.sleeping, "May resting bodies fall asleep?");
+  s.add("default_friction", settings.default_friction, "Of a body that gives none.").at_least(0);
+  s.add("default_restitution", settings.default_restitution, "Of a body that gives none.").at_least(0);
+  s.add("friction_combine", settings.friction_combine, "How the frictions of two bodies become one.");
+  s.add("restitution_combine", settings.restitution_combine, "The same for restitution.");
+  s.add("groups", settings.groups, "Names of collision groups, at most 31.");
+  s.check<WorldSettings>([](const WorldSettings& value) {
+    if (value.groups.size() > 31) fail("groups holds ", value.groups.size(), " names; 31 at most, join some of them");
+  });
+}
+
+}  // namespace tumble
