@@ -1,0 +1,114 @@
+#include "physics/bullet/body_state.h"
+
+#include <algorithm>
+
+namespace tumble {
+
+namespace {
+
+bool locks(const std::string& letters, char axis) { return letters.find(axis) != std::string::npos; }
+
+Vec3 linear_factor(const BodyDef& def) {
+  return {locks(def.lock_position, 'x') ? 0.0 : 1.0, locks(def.lock_position, 'y') ? 0.0 : 1.0,
+          locks(def.lock_position, 'z') ? 0.0 : 1.0};
+}
+
+Vec3 angular_factor(const BodyDef& def) {
+  const Vec3 f = def.rotation_factor;
+  return {locks(def.lock_rotation, 'x') ? 0.0 : f.x, locks(def.lock_rotation, 'y') ? 0.0 : f.y,
+          locks(def.lock_rotation, 'z') ? 0.0 : f.z};
+}
+
+bool same(const ColliderDef& a, const ColliderDef& b) {
+  return a.shape == b.shape && a.offset == b.offset && a.rotation == b.rotation && a.trigger == b.trigger;
+}
+
+bool own_materials(const BodyDef& def) {
+  if (!(def.surface_velocity == Vec3{})) return true;
+  for (const ColliderDef& collider : def.colliders)
+    if (collider.friction || collider.restitution) return true;
+  return false;
+}
+
+int flags_of(const BodyDef& def) {
+  int flags = own_materials(def) ? btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK : 0;
+  if (def.type == BodyType::fixed) flags |= btCollisionObject::CF_STATIC_OBJECT;
+  if (def.type == BodyType::kinematic) flags |= btCollisionObject::CF_KINEMATIC_OBJECT;
+  return flags;
+}
+
+void apply_continuous(BodyState& body) {
+  const double radius = inner_radius(body.def);
+  const bool on = body.dynamic() && body.def.continuous.value_or(true) && radius > 0;
+  // Swept once it moves half its inner radius in a substep; from the first if asked for.
+  body.rigid->setCcdMotionThreshold(!on ? 0 : body.def.continuous.has_value() ? 1e-3 * radius : 0.5 * radius);
+  body.rigid->setCcdSweptSphereRadius(on ? 0.8 * radius : 0);
+}
+
+}  // namespace
+
+Vec3 BodyState::velocity_at(Vec3 point) const {
+  const btVector3 arm = to_bullet(point) - rigid->getWorldTransform().getOrigin();
+  return from_bullet(rigid->getVelocityInLocalPoint(arm));
+}
+
+void BodyState::place(const btTransform& center) {
+  rigid->setWorldTransform(center);
+  rigid->setInterpolationWorldTransform(center);
+  rigid->updateInertiaTensor();
+  if (ghost) ghost->setWorldTransform(center);
+}
+
+bool same_shapes(const BodyDef& a, const BodyDef& b) {
+  if (a.type != b.type || a.trigger != b.trigger || a.colliders.size() != b.colliders.size()) return false;
+  for (std::size_t i = 0; i < a.colliders.size(); ++i)
+    if (!same(a.colliders[i], b.colliders[i])) return false;
+  return true;
+}
+
+void apply_numbers(BodyState& body) {
+  btRigidBody& rigid = *body.rigid;
+  if (body.dynamic()) rigid.setMassProps(body.mass.mass, to_bullet(body.mass.inertia));
+  rigid.setLinearFactor(to_bullet(linear_factor(body.def)));
+  rigid.setAngularFactor(to_bullet(angular_factor(body.def)));
+  rigid.updateInertiaTensor();
+  rigid.setCollisionFlags(flags_of(body.def));
+  apply_continuous(body);
+  if (!body.dynamic()) return;
+  rigid.setLinearVelocity(to_bullet(body.def.velocity) * rigid.getLinearFactor());
+  rigid.setAngularVelocity(to_bullet(body.def.angular_velocity));
+}
+
+void build(BodyState& body, const Pose& pose) {
+  body.mass = mass_properties(body.def);
+  body.frame = {body.mass.center, body.mass.axes};
+  auto solids = std::make_unique<ShapeSet>(body.def, false, body.frame);
+  auto triggers = std::make_unique<ShapeSet>(body.def, true, body.frame);
+
+  if (solids->empty()) body.nothing = std::make_unique<btEmptyShape>();
+  btRigidBody::btRigidBodyConstructionInfo info(body.mass.mass, nullptr, solids->empty() ? body.nothing.get() : solids->root(),
+                                                to_bullet(body.mass.inertia));
+  info.m_startWorldTransform = body.to_center(pose);
+  body.rigid = std::make_unique<btRigidBody>(info);
+  body.rigid->setUserPointer(&body);
+  body.rigid->setUserIndex(0);
+  body.rigid->setFlags(body.rigid->getFlags() | BT_DISABLE_WORLD_GRAVITY);  // StepWorld applies forces itself
+  body.ghost.reset();
+  if (!triggers->empty()) {
+    body.ghost = std::make_unique<btCollisionObject>();
+    body.ghost->setCollisionShape(triggers->root());
+    body.ghost->setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT | btCollisionObject::CF_NO_CONTACT_RESPONSE);
+    body.ghost->setUserPointer(&body);
+    body.ghost->setUserIndex(1);
+    body.ghost->setWorldTransform(info.m_startWorldTransform);
+  }
+  body.solids = std::move(solids);
+  body.triggers = std::move(triggers);
+  apply_numbers(body);
+  body.last_good = info.m_startWorldTransform;
+  btVector3 low, high;
+  body.rigid->getCollisionShape()->getAabb(btTransform::getIdentity(), low, high);
+  body.extent = std::max(low.length(), high.length());
+}
+
+}  // namespace tumble

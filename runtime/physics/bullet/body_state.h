@@ -1,0 +1,73 @@
+// A body of the world: its description and what Bullet holds for it.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "physics/bullet/shapes.h"
+#include "physics/world.h"
+
+namespace tumble {
+
+struct JointPart;
+struct Pair;
+struct Materials;
+
+// A kinematic body's way through the next step, of its centre.
+struct Path {
+  btTransform from, to;
+  btVector3 velocity, turning;
+};
+
+struct BodyState {
+  BodyDef def;
+  const Materials* materials = nullptr;  // the world's
+  std::uint64_t user = 0;
+  BodyId id;
+  std::uint32_t serial = 0;       // age: later bodies have larger ones; never used again
+  std::uint32_t group = 1, mask = ~0u;
+  bool enabled = true;
+  bool want_stay = false;
+  MassProperties mass;
+  Pose frame;                     // Bullet's frame (centre of mass, principal axes) in the body's
+
+  std::unique_ptr<ShapeSet> solids, triggers;
+  std::unique_ptr<btCollisionShape> nothing;  // stands in where there are no solids
+  std::unique_ptr<btRigidBody> rigid;
+  std::unique_ptr<btCollisionObject> ghost;   // its triggers; moves with it
+
+  Vec3 force, torque;             // for the whole next step
+  Vec3 start_velocity, start_turning;  // before the step
+  btTransform last_good;          // before the step, finite
+  btVector3 free_velocity;        // before this substep's forces; see StepWorld
+  std::uint64_t touched_substep = 0;   // the last one with a solid contact
+  double extent = 0;              // distance of its outermost point from its centre, m
+  double still_seconds = 0;       // how long it has hardly moved
+  bool was_asleep = false;
+  bool moving = false;            // kinematic: `path` holds for the next step
+  Path path;
+
+  std::vector<Pair*> pairs;       // what it touches
+  std::vector<JointPart*> joints;
+
+  bool dynamic() const { return def.type == BodyType::dynamic; }
+  bool awake() const { return enabled && rigid->isActive(); }
+  Pose pose() const { return from_bullet(rigid->getWorldTransform()) * inverse(frame); }
+  btTransform to_center(const Pose& pose) const { return to_bullet(pose * frame); }
+  Vec3 velocity_at(Vec3 point) const;
+  // Moves Bullet's object and the ghost there, no more.
+  void place(const btTransform& center);
+};
+
+// (Re)builds everything that follows from `def`, at a pose; not in any world yet.
+void build(BodyState& body, const Pose& pose);
+// What follows from numbers only: mass, damping, locks, continuous, group filters are not among it.
+void apply_numbers(BodyState& body);
+// Would the change need new shapes?
+bool same_shapes(const BodyDef& a, const BodyDef& b);
+
+inline BodyState* state_of(const btCollisionObject* object) { return static_cast<BodyState*>(object->getUserPointer()); }
+// 1 marks the object that stands for a body's triggers.
+inline bool is_ghost(const btCollisionObject* object) { return object->getUserIndex() == 1; }
+
+}  // namespace tumble

@@ -1,0 +1,78 @@
+// What a World is inside. The parts are in world.cpp (bodies), world_motion.cpp (poses, velocities, forces),
+// world_joints.cpp, world_step.cpp and world_queries.cpp.
+#pragma once
+
+#include "physics/bullet/contacts.h"
+#include "physics/bullet/joint_part.h"
+#include "physics/bullet/materials.h"
+#include "physics/bullet/step_world.h"
+
+namespace tumble {
+
+struct Body {
+  std::unique_ptr<BodyState> state;
+};
+struct Joint {
+  std::unique_ptr<JointPart> part;
+};
+
+struct World::Impl {
+  explicit Impl(const WorldSettings& given);
+  ~Impl();
+
+  WorldSettings settings;
+  Materials materials;
+
+  btDefaultCollisionConfiguration configuration;
+  btCollisionDispatcher dispatcher{&configuration};
+  btDbvtBroadphase broadphase;
+  btSequentialImpulseConstraintSolver solver;
+  PairFilter filter;
+  StepWorld bullet{&dispatcher, &broadphase, &solver, &configuration};
+  btRigidBody ground{btRigidBody::btRigidBodyConstructionInfo(0, nullptr, nullptr)};  // the world, as a joint's partner
+
+  Pool<Body> bodies;
+  Pool<Joint> joints;
+  std::uint32_t next_serial = 1, next_joint = 1;
+  std::vector<BodyState*> dynamics;   // enabled dynamic bodies, by age
+  std::vector<BodyState*> carriers;   // kinematic or with triggers, and just now moved, added or stopped
+  std::vector<JointPart*> live;       // joints that hold, by age
+  std::vector<BodyId> moved;
+  ContactBook book;
+  Events events;
+  std::uint64_t substeps_done = 0;
+  double step_ms = 0;
+
+  BodyState& body(BodyId id) { return *bodies[id].state; }
+  JointPart& joint(JointId id) { return *joints[id].part; }
+
+  // ---- bodies (world.cpp)
+  void apply_settings();
+  void set_groups(BodyState& body, const char* where);
+  void enter(BodyState& body);        // into Bullet's world
+  void leave(BodyState& body);        // out of it: contacts end, neighbours wake
+  void rebuild(BodyState& body, const Pose& pose);
+  void refresh_pairs(BodyState& body);
+  void wake(BodyState& body);
+  void wake_around(BodyState& body);  // all whose boxes overlap its box
+  void wake_touching(BodyState& body);
+  void stir(BodyState& body);         // a kinematic body or its triggers: looked at in the next step
+
+  // ---- joints (world_joints.cpp)
+  void update_live(JointPart& joint);
+  void remove_joint(JointPart& joint);
+
+  // ---- a step (world_step.cpp)
+  void step(double seconds);
+  void begin_step(double seconds);
+  void begin_substep(double h, double done);
+  void push(BodyState& body, double h);
+  void end_substep(double h, double done);
+  void end_step(double seconds);
+  void carry(BodyState& body, double done);
+  void rest(BodyState& body, double seconds);
+  void break_joints(double seconds);
+  void quarantine(BodyState& body);
+};
+
+}  // namespace tumble

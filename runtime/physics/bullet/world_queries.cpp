@@ -1,0 +1,286 @@
+// Rays, casts and overlaps.
+#include <algorithm>
+
+#include <BulletCollision/CollisionShapes/btConvexPolyhedron.h>
+#include <BulletCollision/CollisionShapes/btTriangleShape.h>
+
+#include "physics/bullet/closest.h"
+#include "physics/bullet/impl.h"
+#include "physics/rays.h"
+
+namespace tumble {
+
+namespace {
+
+// Does the body's part that this object stands for answer?
+bool answers(const btCollisionObject* object, const QueryFilter& filter) {
+  const BodyState& body = *state_of(object);
+  if (!(body.group & filter.groups) || (is_ghost(object) && !filter.triggers)) return false;
+  if (!is_ghost(object) && body.solids->empty()) return false;
+  return !filter.accept || filter.accept(body.id);
+}
+
+const std::vector<Piece>& pieces_of(const btCollisionObject* object) {
+  const BodyState& body = *state_of(object);
+  return (is_ghost(object) ? *body.triggers : *body.solids).pieces();
+}
+
+struct Gather final : btBroadphaseRayCallback {
+  explicit Gather(const QueryFilter& given) : filter(given) {}
+  bool process(const btBroadphaseProxy* proxy) override {
+    const auto* object = static_cast<const btCollisionObject*>(proxy->m_clientObject);
+    if (answers(object, filter)) found.push_back(object);
+    return true;
+  }
+  const QueryFilter& filter;
+  std::vector<const btCollisionObject*> found;
+};
+
+// Everything whose box the swept box meets. An infinite way ends where the world does.
+std::vector<const btCollisionObject*> along(btDbvtBroadphase& broadphase, Vec3 origin, Vec3 direction, double& length,
+                                            Vec3 low, Vec3 high, const QueryFilter& filter) {
+  btVector3 world_low, world_high;
+  broadphase.getBroadphaseAabb(world_low, world_high);
+  const double all = distance(origin, from_bullet(world_low + world_high) / 2) + (world_high - world_low).length() / 2 +
+                     distance(low, high) + 1;
+  length = std::min(length, all);
+
+  Gather gather(filter);
+  const btVector3 from = to_bullet(origin), to = to_bullet(origin + direction * length);
+  for (int i = 0; i < 3; ++i) {
+    const double d = to_bullet(direction)[i];
+    gather.m_rayDirectionInverse[i] = d == 0 ? BT_LARGE_FLOAT : 1 / d;
+    gather.m_signs[i] = gather.m_rayDirectionInverse[i] < 0;
+  }
+  gather.m_lambda_max = length;
+  broadphase.rayTest(from, to, gather, to_bullet(low), to_bullet(high));
+  return gather.found;
+}
+
+std::vector<const btCollisionObject*> within_box(btDbvtBroadphase& broadphase, const btVector3& low, const btVector3& high,
+                                                 const QueryFilter& filter) {
+  Gather gather(filter);
+  broadphase.aabbTest(low, high, gather);
+  return gather.found;
+}
+
+std::vector<Plane> planes_of(const btConvexHullShape& hull) {
+  std::vector<Plane> planes;
+  const btConvexPolyhedron& solid = *hull.getConvexPolyhedron();
+  for (int i = 0; i < solid.m_faces.size(); ++i) {
+    const btScalar* plane = solid.m_faces[i].m_plane;
+    planes.push_back({{plane[0], plane[1], plane[2]}, -plane[3]});
+  }
+  return planes;
+}
+
+struct NearestTriangle final : btTriangleCallback {
+  explicit NearestTriangle(const Ray& given) : ray(given) {}
+  void processTriangle(btVector3* t, int, int) override {
+    const auto hit = ray_triangle(ray, from_bullet(t[0]), from_bullet(t[1]), from_bullet(t[2]));
+    if (hit && (!best || hit->distance < best->distance)) best = hit;
+  }
+  const Ray& ray;
+  std::optional<RayHit> best;
+};
+
+// In the piece's own frame.
+std::optional<RayHit> ray_piece(const btCollisionShape& shape, const Ray& ray, double length) {
+  switch (shape.getShapeType()) {
+    case SPHERE_SHAPE_PROXYTYPE: return ray_sphere(ray, static_cast<const btSphereShape&>(shape).getRadius());
+    case BOX_SHAPE_PROXYTYPE: return ray_box(ray, from_bullet(static_cast<const btBoxShape&>(shape).getHalfExtentsWithMargin()));
+    case CAPSULE_SHAPE_PROXYTYPE: {
+      const auto& capsule = static_cast<const btCapsuleShape&>(shape);
+      return ray_capsule(ray, capsule.getRadius(), capsule.getHalfHeight());
+    }
+    case CYLINDER_SHAPE_PROXYTYPE: {
+      const btVector3 half = static_cast<const btCylinderShape&>(shape).getHalfExtentsWithMargin();
+      return ray_cylinder(ray, half.x(), half.y());
+    }
+    case CONE_SHAPE_PROXYTYPE: {
+      const auto& cone = static_cast<const btConeShape&>(shape);
+      return ray_cone(ray, cone.getRadius(), cone.getHeight());
+    }
+    case CONVEX_HULL_SHAPE_PROXYTYPE: return ray_planes(ray, planes_of(static_cast<const btConvexHullShape&>(shape)));
+    default: break;
+  }
+  NearestTriangle nearest(ray);
+  auto& mesh = const_cast<btBvhTriangleMeshShape&>(static_cast<const btBvhTriangleMeshShape&>(shape));
+  mesh.performRaycast(&nearest, to_bullet(ray.origin), to_bullet(ray.origin + ray.direction * length));
+  return nearest.best;
+}
+
+std::optional<QueryHit> ray_object(const btCollisionObject* object, const Ray& ray, double length) {
+  std::optional<QueryHit> best;
+  for (const Piece& piece : pieces_of(object)) {
+    const Pose pose = from_bullet(object->getWorldTransform()) * from_bullet(piece.local);
+    const Pose back = inverse(pose);
+    const Ray local{conjugate(pose.rotation) * (ray.origin - pose.position), back.rotation * ray.direction};
+    const auto hit = ray_piece(*piece.shape, local, length);
+    if (!hit || hit->distance > length || (best && hit->distance >= best->distance)) continue;
+    best = QueryHit{state_of(object)->id, piece.collider, ray.origin + ray.direction * hit->distance,
+                    hit->inside ? -ray.direction : pose.rotation * hit->normal, hit->distance, hit->inside};
+  }
+  return best;
+}
+
+struct Found {
+  std::uint32_t serial;
+  QueryHit hit;
+};
+
+// Nearest first; at one distance the older body.
+std::vector<QueryHit> sorted(std::vector<Found>& found) {
+  std::stable_sort(found.begin(), found.end(), [](const Found& x, const Found& y) {
+    return x.hit.distance != y.hit.distance ? x.hit.distance < y.hit.distance : x.serial < y.serial;
+  });
+  std::vector<QueryHit> hits;
+  for (const Found& entry : found) hits.push_back(entry.hit);
+  return hits;
+}
+
+Vec3 checked_direction(const char* call, Vec3 direction) {
+  if (direction == Vec3{}) fail(call, ": direction must not be zero (got 0, 0, 0)");
+  return normalized(direction);
+}
+
+// The one convex shape of a cast or overlap.
+struct Probe {
+  explicit Probe(const char* call, const Shape& shape) : parts(make_parts(shape)) {
+    if (parts->shapes.size() != 1 || !parts->shapes[0]->isConvex())
+      fail(call, ": shape '", enum_names(ShapeKind{})[static_cast<std::size_t>(shape.shape)],
+           "' cannot be used here; take a sphere, box, capsule, cylinder, cone, pyramid or hull");
+  }
+  const btConvexShape& shape() const { return static_cast<const btConvexShape&>(*parts->shapes[0]); }
+  btTransform at(const Pose& pose) const { return to_bullet(Pose{pose.position, normalized(pose.rotation)} * parts->poses[0]); }
+  std::unique_ptr<ShapeParts> parts;
+};
+
+// Calls f(convex shape, its pose) for a piece: once, or for each triangle of a mesh in the box.
+template <class F>
+struct EachTriangle final : btTriangleCallback {
+  EachTriangle(const btTransform& given, F& function) : at(given), f(function) {}
+  void processTriangle(btVector3* t, int, int) override {
+    btTriangleShape triangle(t[0], t[1], t[2]);
+    triangle.setMargin(0);
+    f(static_cast<const btConvexShape&>(triangle), at);
+  }
+  const btTransform& at;
+  F& f;
+};
+
+template <class F>
+void each_convex(const Piece& piece, const btTransform& at, const btVector3& low, const btVector3& high, F f) {
+  if (piece.shape->isConvex()) {
+    f(static_cast<const btConvexShape&>(*piece.shape), at);
+    return;
+  }
+  EachTriangle<F> callback(at, f);
+  const btTransform back = at.inverse();
+  btVector3 local_low, local_high;
+  btTransformAabb(low, high, 0, back, local_low, local_high);
+  static_cast<const btConcaveShape*>(piece.shape)->processAllTriangles(&callback, local_low, local_high);
+}
+
+}  // namespace
+
+std::vector<QueryHit> World::raycast_all(Vec3 origin, Vec3 direction, double length, const QueryFilter& filter) const {
+  const Ray ray{origin, checked_direction("physics.raycast_all", direction)};
+  std::vector<Found> found;
+  for (const btCollisionObject* object : along(impl_->broadphase, origin, ray.direction, length, {}, {}, filter))
+    if (const auto hit = ray_object(object, ray, length)) found.push_back({state_of(object)->serial, *hit});
+  return sorted(found);
+}
+
+std::optional<QueryHit> World::raycast(Vec3 origin, Vec3 direction, double length, const QueryFilter& filter) const {
+  const Ray ray{origin, checked_direction("physics.raycast", direction)};
+  std::optional<QueryHit> best;
+  std::uint32_t serial = 0;
+  for (const btCollisionObject* object : along(impl_->broadphase, origin, ray.direction, length, {}, {}, filter)) {
+    const auto hit = ray_object(object, ray, length);
+    if (!hit) continue;
+    const std::uint32_t age = state_of(object)->serial;
+    if (best && (hit->distance > best->distance || (hit->distance == best->distance && age > serial))) continue;
+    best = hit;
+    serial = age;
+  }
+  return best;
+}
+
+bool World::raycast_any(Vec3 origin, Vec3 direction, double length, const QueryFilter& filter) const {
+  const Ray ray{origin, checked_direction("physics.raycast_any", direction)};
+  const auto objects = along(impl_->broadphase, origin, ray.direction, length, {}, {}, filter);
+  return std::any_of(objects.begin(), objects.end(), [&](const auto* object) { return ray_object(object, ray, length).has_value(); });
+}
+
+std::optional<QueryHit> World::cast(const Shape& shape, const Pose& from, Vec3 direction, double length, const QueryFilter& filter) const {
+  const Vec3 way = checked_direction("physics.cast", direction);
+  const Probe probe("physics.cast", shape);
+  const btTransform start = probe.at(from);
+  btVector3 low, high;
+  probe.shape().getAabb(start, low, high);
+  const auto objects = along(impl_->broadphase, from_bullet(start.getOrigin()), way, length, from_bullet(low - start.getOrigin()),
+                             from_bullet(high - start.getOrigin()), filter);
+  const btVector3 shift = to_bullet(way * length);
+  btVector3 all_low = low, all_high = high;
+  all_low.setMin(low + shift);
+  all_high.setMax(high + shift);
+
+  std::vector<Found> found;
+  for (const btCollisionObject* object : objects)
+    for (const Piece& piece : pieces_of(object))
+      each_convex(piece, object->getWorldTransform() * piece.local, all_low, all_high,
+                  [&](const btConvexShape& other, const btTransform& at) {
+                    const auto hit = meet(probe.shape(), start, way, length, other, at);
+                    if (!hit) return;
+                    const BodyState& body = *state_of(object);
+                    found.push_back({body.serial, {body.id, piece.collider, hit->point, hit->normal, hit->distance, hit->inside}});
+                  });
+  const std::vector<QueryHit> hits = sorted(found);
+  return hits.empty() ? std::nullopt : std::optional(hits[0]);
+}
+
+std::vector<QueryHit> World::penetrations(const Shape& shape, const Pose& at, double within, const QueryFilter& filter) const {
+  const Probe probe("physics.penetrations", shape);
+  const btTransform place = probe.at(at);
+  btVector3 low, high;
+  probe.shape().getAabb(place, low, high);
+  low -= btVector3(within, within, within);
+  high += btVector3(within, within, within);
+
+  std::vector<Found> found;
+  for (const btCollisionObject* object : within_box(impl_->broadphase, low, high, filter)) {
+    for (const Piece& piece : pieces_of(object)) {
+      each_convex(piece, object->getWorldTransform() * piece.local, low, high,
+                  [&](const btConvexShape& other, const btTransform& other_at) {
+                    const auto near = closest(probe.shape(), place, other, other_at, within);
+                    if (!near) return;
+                    const BodyState& body = *state_of(object);
+                    found.push_back({body.serial, {body.id, piece.collider, near->point, near->normal, near->distance, near->distance < 0}});
+                  });
+    }
+  }
+
+  // Triangles of one face, and links of a ring, would tell the same: of hits on one collider that point the same way
+  // the deepest is kept.
+  std::vector<QueryHit> kept;
+  for (const QueryHit& hit : sorted(found)) {
+    const bool same = std::any_of(kept.begin(), kept.end(), [&](const QueryHit& other) {
+      return other.body == hit.body && other.collider == hit.collider && dot(other.normal, hit.normal) > 0.999;
+    });
+    if (!same) kept.push_back(hit);
+  }
+  return kept;
+}
+
+std::vector<BodyId> World::overlap(const Shape& shape, const Pose& at, const QueryFilter& filter) const {
+  std::vector<const BodyState*> bodies;
+  for (const QueryHit& hit : penetrations(shape, at, 0, filter)) bodies.push_back(&impl_->body(hit.body));
+  std::sort(bodies.begin(), bodies.end(), [](const BodyState* x, const BodyState* y) { return x->serial < y->serial; });
+  bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+  std::vector<BodyId> ids;
+  for (const BodyState* body : bodies) ids.push_back(body->id);
+  return ids;
+}
+
+}  // namespace tumble

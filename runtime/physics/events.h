@@ -1,0 +1,42 @@
+// What happened in a step, as records in the order in which handlers hear of it.
+#pragma once
+
+#include <vector>
+
+#include "physics/body.h"
+
+namespace tumble {
+
+struct ContactPoint {
+  Vec3 point;          // world, m
+  double impulse = 0;  // along the normal in this step, N s
+};
+
+enum class EventKind { exit, enter, stay, joint_break, sleep, wake };
+
+// Two bodies touching, or a body in a trigger. Each pair of bodies has one record a step, by its colliders that touch.
+struct ContactEvent {
+  EventKind kind = EventKind::enter;
+  bool trigger = false;
+  BodyId a, b;                     // a is the older body
+  int collider_a = 0, collider_b = 0;
+  Vec3 point;                      // deepest point, world; of an exit, the last one
+  Vec3 normal;                     // from a towards b
+  double speed = 0;                // approach at the point before the step, m/s, never negative
+  double impulse = 0;              // sum along the normal in this step, N s
+  Vec3 velocity;                   // of b against a, m/s
+  std::vector<ContactPoint> points;
+};
+
+struct JointEvent { JointId joint; };
+struct SleepEvent { BodyId body; bool asleep = false; };
+
+// Order: exits, enters, stays; within a kind by the age of the older body, then of the younger.
+struct Events {
+  std::vector<ContactEvent> contacts;
+  std::vector<JointEvent> breaks;
+  std::vector<SleepEvent> sleeps;
+  std::vector<BodyId> lost;   // bodies whose state became NaN or infinite: put back to their last finite pose and switched off
+};
+
+}  // namespace tumble
