@@ -1,0 +1,218 @@
+#include "physical.h"
+
+using namespace tumble;
+
+TEST_CASE("motion: free fall follows y = h - g t^2 / 2 to the last digits", "[physics]") {
+  Scene scene;
+  const BodyId stone = scene.add(body(ball(0.1)), {0, 100, 0});
+
+  scene.run(3);
+
+  // Constant acceleration is integrated exactly; only rounding is left.
+  CHECK(scene.at(stone).y == Approx(100 - 9.81 * 9 / 2).epsilon(1e-12));
+  CHECK(scene.world.velocity(stone).y == Approx(-9.81 * 3).epsilon(1e-12));
+}
+
+TEST_CASE("motion: a throw follows its parabola", "[physics]") {
+  Scene scene;
+  const Vec3 v{6, 8, -3};
+  const BodyId ball_id = scene.add(body(ball(0.12)), {1, 2, 3});
+  scene.world.set_velocity(ball_id, v);
+
+  scene.run(1.5);
+
+  const Vec3 expected = Vec3{1, 2, 3} + v * 1.5 + Vec3{0, -9.81, 0} * (1.5 * 1.5 / 2);
+  CHECK(distance(scene.at(ball_id), expected) < 1e-10);
+}
+
+TEST_CASE("motion: damping is exp(-k t) whatever the substeps and the tick", "[physics]") {
+  for (const int substeps : {1, 4, 7})
+    for (const double tick : {1.0 / 60, 1.0 / 30}) {
+      WorldSettings settings = weightless();
+      settings.substeps = substeps;
+      Scene scene(settings);
+      BodyDef def = body(ball(0.5));
+      def.damping = 40;  // larger than a tick's reach, where 1 - k h would fail
+      def.angular_damping = 0.5;
+      const BodyId id = scene.add(def, {});
+      scene.world.set_velocity(id, {3, 0, 0});
+      scene.world.set_angular_velocity(id, {0, 2, 0});
+
+      scene.run(0.5, tick);
+
+      CHECK(scene.world.velocity(id).x == Approx(3 * std::exp(-20.0)).epsilon(1e-9));
+      CHECK(scene.world.angular_velocity(id).y == Approx(2 * std::exp(-0.25)).epsilon(1e-9));
+    }
+}
+
+TEST_CASE("motion: a damped body falls at its terminal speed g / k", "[physics]") {
+  Scene scene;
+  BodyDef def = body(ball(0.5));
+  def.damping = 2;
+  const BodyId id = scene.add(def, {0, 1000, 0});
+
+  scene.run(10);
+
+  CHECK(scene.world.velocity(id).y == Approx(-9.81 / 2).epsilon(1e-8));  // exp(-20) is still missing
+}
+
+TEST_CASE("motion: a force acts through the whole step, whatever the substeps", "[physics]") {
+  for (const int substeps : {1, 5}) {
+    WorldSettings settings = weightless();
+    settings.substeps = substeps;
+    Scene scene(settings);
+    BodyDef def = body(box({1, 2, 3}));
+    def.mass = 4;
+    const BodyId id = scene.add(def, {});
+
+    scene.world.apply_force(id, {8, 0, 0});
+    scene.world.apply_torque(id, {0, 0, 3});
+    scene.world.step(0.1);
+
+    CHECK(scene.world.velocity(id).x == Approx(0.2).epsilon(1e-12));
+    CHECK(scene.at(id).x == Approx(2 * 0.1 * 0.1 / 2).epsilon(1e-12));
+    const double inertia = 4.0 / 12 * (1 + 4);
+    CHECK(scene.world.angular_velocity(id).z == Approx(3 * 0.1 / inertia).epsilon(1e-9));
+    scene.world.step(0.1);
+    CHECK(scene.world.velocity(id).x == Approx(0.2).epsilon(1e-12));  // gone after its step
+  }
+}
+
+TEST_CASE("motion: an impulse at a point turns by its lever", "[physics]") {
+  Scene scene(weightless());
+  BodyDef def = body(ball(0.5));
+  def.mass = 2;
+  const BodyId id = scene.add(def, {1, 1, 1});
+
+  scene.world.apply_impulse(id, {0, 0, 6}, {1, 1.5, 1});
+
+  CHECK(scene.world.velocity(id).z == Approx(3));
+  CHECK(scene.world.angular_velocity(id).x == Approx(0.5 * 6 / (0.4 * 2 * 0.25)));
+  CHECK(scene.world.velocity_at(id, {1, 1.5, 1}).z == Approx(3 + 15 * 0.5));
+}
+
+TEST_CASE("motion: gravity_factor scales gravity", "[physics]") {
+  Scene scene;
+  BodyDef def = body(ball(0.5));
+  def.gravity_factor = -0.5;
+  const BodyId id = scene.add(def, {});
+
+  scene.run(1);
+
+  CHECK(scene.at(id).y == Approx(9.81 / 4).epsilon(1e-12));
+}
+
+TEST_CASE("motion: locked axes do not move or turn, the others are free", "[physics]") {
+  Scene scene;
+  scene.floor();
+  BodyDef def = body(box({1, 1, 1}));
+  def.lock_position = "z";
+  def.lock_rotation = "xy";
+  const BodyId id = scene.add(def, {0, 3, 0.25}, axis_angle({0, 0, 1}, 0.3));
+  scene.world.set_velocity(id, {2, 0, 5});
+  scene.world.set_angular_velocity(id, {3, 3, 3});
+
+  scene.run(2);
+
+  CHECK(scene.at(id).z == Approx(0.25).margin(1e-9));
+  const Vec3 up = scene.world.pose(id).rotation * Vec3{0, 0, 1};
+  CHECK(up.z == Approx(1).margin(1e-9));
+  CHECK(scene.at(id).x > 0.5);
+}
+
+TEST_CASE("motion: a kinematic body arrives exactly and reports its speed on the way", "[physics]") {
+  Scene scene;
+  const BodyId lift = scene.add(body(box({2, 0.2, 2}), BodyType::kinematic), {0, 1, 0});
+  const Quat turn = axis_angle({0, 1, 0}, 0.1);
+
+  scene.world.move(lift, {{0, 1.05, 0.02}, turn});
+  scene.world.step(kTick);
+
+  CHECK(distance(scene.at(lift), {0, 1.05, 0.02}) < 1e-12);
+  CHECK(scene.world.pose(lift).rotation.y == Approx(turn.y).epsilon(1e-12));
+  CHECK(scene.world.velocity(lift).y == Approx(3).epsilon(1e-9));
+  CHECK(scene.world.angular_velocity(lift).y == Approx(6).epsilon(1e-9));
+  scene.world.step(kTick);
+  CHECK(length(scene.world.velocity(lift)) == 0);
+}
+
+TEST_CASE("motion: a carrier takes its rider along, sideways and upwards", "[physics]") {
+  Scene scene;
+  const BodyId lift = scene.add(body(box({4, 0.2, 4}), BodyType::kinematic), {0, 0, 0});
+  BodyDef def = body(box({0.5, 0.5, 0.5}));
+  def.friction = 1;
+  const BodyId rider = scene.add(def, {0, 0.35, 0});
+  scene.run(0.5);
+  const Vec3 before = scene.at(rider) - scene.at(lift);
+
+  for (int i = 1; i <= 120; ++i) {
+    // A soft start: 1 m/s is reached in half a second.
+    const double t = i * kTick, way = t < 0.5 ? t * t : t - 0.25;
+    scene.world.move(lift, {{way, way / 2, 0}, {}});
+    scene.world.step(kTick);
+  }
+
+  // It keeps its place on the lift within 2 mm after 1.75 m of way.
+  CHECK(distance(scene.at(rider) - scene.at(lift), before) < 2e-3);
+}
+
+TEST_CASE("motion: what falls apart into NaN is put back and switched off, its neighbour stays sound", "[physics]") {
+  Scene scene;
+  scene.floor();
+  const BodyId sick = scene.add(body(box({1, 1, 1})), {0, 0.5, 0});
+  const BodyId neighbour = scene.add(body(box({1, 1, 1})), {0, 1.5, 0});
+  scene.run(0.5);
+
+  scene.world.apply_force(sick, {std::nan(""), 0, 0});
+  scene.world.step(kTick);
+
+  const Events events = scene.world.take_events();
+  REQUIRE(events.lost.size() == 1);
+  CHECK(events.lost[0] == sick);
+  CHECK_FALSE(scene.world.enabled(sick));
+  CHECK(distance(scene.at(sick), {0, 0.5, 0}) < 0.01);
+  scene.run(1);
+  CHECK(is_finite(scene.at(neighbour)));
+  CHECK(scene.at(neighbour).y == Approx(0.5).margin(0.02));  // fell to the floor: 2 % of its size of penetration
+}
+
+TEST_CASE("motion: a body at rest falls asleep within a second and every change wakes it", "[physics]") {
+  Scene scene;
+  const BodyId ground = scene.floor();
+  const BodyId id = scene.add(body(box({1, 1, 1})), {0, 0.5, 0});
+  const auto rest = [&] {
+    scene.run(2);
+    REQUIRE(scene.world.asleep(id));
+  };
+
+  rest();
+  CHECK(scene.world.moved().empty());
+  scene.world.apply_impulse(id, {0.1, 0, 0});
+  CHECK_FALSE(scene.world.asleep(id));
+  rest();
+  scene.world.apply_force(id, {0.1, 0, 0});
+  CHECK_FALSE(scene.world.asleep(id));
+  rest();
+  scene.world.set_velocity(id, {0, 0.1, 0});
+  CHECK_FALSE(scene.world.asleep(id));
+  rest();
+  WorldSettings settings = scene.world.settings();
+  settings.gravity = {0, -5, 0};
+  scene.world.configure(settings);
+  CHECK_FALSE(scene.world.asleep(id));
+  rest();
+  scene.world.remove(ground);
+  CHECK_FALSE(scene.world.asleep(id));
+  scene.run(1);
+  CHECK(scene.at(id).y < -1);
+}
+
+TEST_CASE("motion: a drifter in empty space does not freeze", "[physics]") {
+  Scene scene(weightless());
+  const BodyId id = scene.add(body(ball(0.5)), {});
+  scene.world.set_velocity(id, {0.5, 0, 0});
+
+  scene.run(10);
+
+  CHECK(scene.at(id).x == Approx(5).epsilon(1e-9));
+}
