@@ -77,7 +77,8 @@ Vec3 degrees(Vec3 v) { return {tumble::degrees(v.x), tumble::degrees(v.y), tumbl
 // The largest difference of a component, q and -q being one rotation.
 double difference(Quat a, Quat b) {
   const double sign = dot(a, b) < 0 ? -1 : 1;
-  return std::max({std::abs(a.x - sign * b.x), std::abs(a.y - sign * b.y), std::abs(a.z - sign * b.z), std::abs(a.w - sign * b.w)});
+  return std::max({std::abs(a.x - sign * b.x), std::abs(a.y - sign * b.y), std::abs(a.z - sign * b.z),
+                   std::abs(a.w - sign * b.w)});
 }
 
 // Euler angles in degrees with as few decimals as the rotation needs.

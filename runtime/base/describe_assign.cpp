@@ -67,12 +67,15 @@ bool is_empty_table(const Value& value) {
 }
 
 void check_range(double number, const Limits& limits, const Place& place) {
-  const auto refuse = [&](const std::string& must) { fail(place.subject(), " must be ", must, " (got ", number_text(number), ")"); };
+  const auto refuse = [&](const std::string& must) {
+    fail(place.subject(), " must be ", must, " (got ", number_text(number), ")");
+  };
   const bool low = limits.minimum > -1e308, high = limits.maximum < 1e308;
   const bool too_low = limits.above_minimum ? number <= limits.minimum : number < limits.minimum;
   if (!(low && too_low) && !(high && number > limits.maximum)) return;
   const std::string minimum = number_text(limits.minimum), maximum = number_text(limits.maximum);
-  if (low && high) refuse(limits.above_minimum ? "above " + minimum + " and at most " + maximum : "from " + minimum + " to " + maximum);
+  if (low && high && limits.above_minimum) refuse("above " + minimum + " and at most " + maximum);
+  if (low && high) refuse("from " + minimum + " to " + maximum);
   if (high) refuse("at most " + maximum);
   refuse((limits.above_minimum ? "above " : "at least ") + minimum);
 }
@@ -98,7 +101,8 @@ int read_integer(const Value& value, const Limits& limits, const Place& place) {
 
 Vec3 read_vec3(const Value& value, const Limits& limits, const Place& place) {
   if (const Vec3* v = value.get<Vec3>())
-    return {checked(v->x, limits, place.field("x")), checked(v->y, limits, place.field("y")), checked(v->z, limits, place.field("z"))};
+    return {checked(v->x, limits, place.field("x")), checked(v->y, limits, place.field("y")),
+            checked(v->z, limits, place.field("z"))};
   const List* list = value.get<List>();
   if (!list || list->size() != 3) expected("vec3", value, place);
   return {read_number((*list)[0], limits, place.field("x")), read_number((*list)[1], limits, place.field("y")),
@@ -107,7 +111,8 @@ Vec3 read_vec3(const Value& value, const Limits& limits, const Place& place) {
 
 Quat components(const Value& value, const Place& place) {
   if (const Quat* q = value.get<Quat>()) return *q;
-  if (value.is<Vec3>()) fail(place.text(), ": quat expected, got ", text(value), "; for Euler angles write ", place.path(), "_degrees");
+  if (value.is<Vec3>())
+    fail(place.text(), ": quat expected, got ", text(value), "; for Euler angles write ", place.path(), "_degrees");
   const List* list = value.get<List>();
   if (!list || list->size() != 4) expected("quat", value, place);
   return {read_number((*list)[0], {}, place.field("x")), read_number((*list)[1], {}, place.field("y")),
@@ -231,7 +236,8 @@ void read_structure(const Type& type, void* object, const Value& value, const Pl
   const Map* map = value.get<Map>();
   if (!map && !is_empty_table(value)) {
     const Field* main = type.field(type.main_field);
-    if (!main || !is_short_form(*main->type, value)) expected(main ? "table or " + type_text(*main->type) : "table", value, place);
+    if (!main) expected("table", value, place);
+    if (!is_short_form(*main->type, value)) expected("table or " + type_text(*main->type), value, place);
     read_field(type, object, main->name, value, place);
   }
   if (map) read_entries(type, object, value, place);
