@@ -65,9 +65,10 @@ void Engine::make_body(NodeId node, const BodyDef& def, const std::string& call)
   auto component = std::make_unique<BodyComponent>();
   component->def = def;
   component->scale = place.scale;
+  component->placed = {place.position, place.rotation};
   if (with_world_) {
     if (!world_) world_ = std::make_unique<World>(settings.physics);
-    component->id = world_->add(physical, {place.position, place.rotation}, pack(node));
+    component->id = world_->add(physical, component->placed, pack(node));
     if (!scene.enabled_in_tree(node)) world_->set_enabled(component->id, false);
   }
   private_->extra(node).body = std::move(component);

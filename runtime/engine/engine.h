@@ -26,6 +26,7 @@ struct BodyComponent {
   BodyDef def;      // as the author wrote it; the world's def() has the velocities of now
   BodyId id;
   Vec3 scale{1, 1, 1};  // world scale that the colliders were made for
+  Pose placed;          // where its node was when the world was told last; not kept up for dynamic ones
   bool wants_stay = false;            // write through Engine::want_stay
   std::uint64_t written_tick = 0;     // of a static body: when it was moved last,
   int writes_in_a_row = 0;            // and in how many ticks without a gap

@@ -20,6 +20,7 @@ void Engine::write_local(NodeId node, const Transform& local) {
   if (!component || component->def.type != BodyType::dynamic) return scene.set_local(node, local);
   scene.jump(node, local);
   sync_body(node);
+  scene.untouch(node);
 }
 
 void Engine::set_position(NodeId node, Vec3 position) {
@@ -55,7 +56,9 @@ void Engine::teleport(NodeId node, Vec3 position, std::optional<Quat> rotation) 
   local.position = position;
   if (rotation) local.rotation = normalized(*rotation);
   scene.jump(node, local);
-  if (body(node)) sync_body(node);
+  if (!body(node)) return;
+  sync_body(node);
+  scene.untouch(node);
 }
 
 void Engine::set_enabled(NodeId node, bool enabled) {
@@ -81,7 +84,10 @@ void Engine::sync_body(NodeId node) {
   const Transform& place = scene.world(node);
   if (!same_scale(place.scale, component->scale)) refit_body(node);
   const Pose pose{place.position, place.rotation};
-  if (pose == world_->pose(component->id)) return;
+  // The world's own pose of a body that only we move may differ from ours in the last digits.
+  const bool dynamic = component->def.type == BodyType::dynamic;
+  if (pose == (dynamic ? world_->pose(component->id) : component->placed)) return;
+  component->placed = pose;
 
   const bool carries = component->def.type == BodyType::kinematic && !scene[node].jumped && world_->enabled(component->id);
   if (carries) return world_->move(component->id, pose);

@@ -68,6 +68,8 @@ class Scene {
   // Watched nodes whose world transform was written since the last call, by themselves or an ancestor, in order of
   // the first writing. Nodes that nobody watches cost nothing here.
   std::vector<NodeId> take_touched();
+  // The node was seen to already; what is below it stays listed.
+  void untouch(NodeId node) { pool_[node].touched = false; }
   // Begins tick number `tick`: what is written from now on is drawn interpolated from where it is now.
   void begin_tick(std::uint64_t tick) { tick_ = tick; }
   // World transform between the last tick (alpha 0) and this one (alpha 1), given that of the parent.
