@@ -22,6 +22,12 @@ bool touches(const btPersistentManifold& manifold, bool trigger, bool already) {
   return false;
 }
 
+bool pushes(const btPersistentManifold& manifold) {
+  for (int i = 0; i < manifold.getNumContacts(); ++i)
+    if (manifold.getContactPoint(i).getAppliedImpulse() > 0) return true;
+  return false;
+}
+
 void add_point(ContactEvent& event, Vec3 position, double impulse) {
   for (ContactPoint& known : event.points)
     if (distance(known.point, position) < kSamePoint) {
@@ -105,7 +111,7 @@ void ContactBook::observe(btPersistentManifold& manifold, std::uint64_t substep)
   if (!first->isActive() && !second->isActive()) return;
   BodyState *a = state_of(first), *b = state_of(second);
   const bool trigger = is_ghost(first) || is_ghost(second);
-  if (!trigger) a->touched_substep = b->touched_substep = substep;
+  if (!trigger && pushes(manifold)) a->touched_substep = b->touched_substep = substep;
 
   const bool swapped = a->serial > b->serial;
   if (swapped) std::swap(a, b);

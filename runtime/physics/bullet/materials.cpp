@@ -47,9 +47,7 @@ btScalar bodies_friction(const btCollisionObject* a, const btCollisionObject* b)
   return friction(*state_of(a), nullptr, *state_of(b), nullptr);
 }
 
-btScalar bodies_restitution(const btCollisionObject* a, const btCollisionObject* b) {
-  return restitution(*state_of(a), nullptr, *state_of(b), nullptr);
-}
+btScalar no_restitution(const btCollisionObject*, const btCollisionObject*) { return 0; }
 
 const ColliderDef* collider_at(const BodyState& body, int part, int index) {
   if (body.solids->empty()) return nullptr;
@@ -75,12 +73,16 @@ bool contact_added(btManifoldPoint& point, const btCollisionObjectWrapper* wrap_
   const BodyState &a = *state_of(object_a), &b = *state_of(object_b);
   const ColliderDef *ca = collider_at(a, part_a, index_a), *cb = collider_at(b, part_b, index_b);
   point.m_combinedFriction = friction(a, ca, b, cb);
-  point.m_combinedRestitution = restitution(a, ca, b, cb);
   if (!(a.def.surface_velocity == Vec3{}) || !(b.def.surface_velocity == Vec3{})) set_belt(point, a, b);
   return true;
 }
 
 }  // namespace
+
+double contact_restitution(const btPersistentManifold& manifold, const btManifoldPoint& point) {
+  const BodyState &a = *state_of(manifold.getBody0()), &b = *state_of(manifold.getBody1());
+  return restitution(a, collider_at(a, point.m_partId0, point.m_index0), b, collider_at(b, point.m_partId1, point.m_index1));
+}
 
 double combine(Combine rule, double a, double b) {
   switch (rule) {
@@ -99,7 +101,7 @@ Combine rule_of(const std::optional<Combine>& a, const std::optional<Combine>& b
 
 void install_material_callbacks() {
   gCalculateCombinedFrictionCallback = bodies_friction;
-  gCalculateCombinedRestitutionCallback = bodies_restitution;
+  gCalculateCombinedRestitutionCallback = no_restitution;
   gContactAddedCallback = contact_added;
 }
 

@@ -18,6 +18,9 @@ double combine(Combine rule, double a, double b);
 // A body's own rule before the world's; of two different ones the later of multiply, average, min, max, as in Unity.
 Combine rule_of(const std::optional<Combine>& a, const std::optional<Combine>& b, Combine world);
 
+// Of a point between two solids. Bullet itself is told 0: see bounce.h.
+double contact_restitution(const btPersistentManifold& manifold, const btManifoldPoint& point);
+
 void install_material_callbacks();
 
 }  // namespace tumble

@@ -37,8 +37,10 @@ void StepWorld::substep(double h) {
   performDiscreteCollisionDetection();
   calculateSimulationIslands();
   getSolverInfo().m_timeStep = h;
+  bounce_.prepare(*getDispatcher(), h);
   solveConstraints(getSolverInfo());
   integrateTransforms(h);
+  bounce_.apply();
 }
 
 }  // namespace tumble

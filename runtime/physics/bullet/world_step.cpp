@@ -59,6 +59,7 @@ void World::Impl::step(double seconds) {
     bullet.substep(h);
     ++substeps_done;
     book.observe(dispatcher, substeps_done);
+    bullet.end_substep();
     end_substep(h, (i + 1) * h);
   }
   end_step(seconds);

@@ -1,0 +1,111 @@
+#include "physical.h"
+
+using namespace tumble;
+
+namespace {
+
+// Speed upwards right after a ball hit the floor.
+double rebound(Scene& scene, BodyId id) {
+  for (int i = 0; i < 120; ++i) {
+    scene.world.step(kTick);
+    if (scene.world.velocity(id).y > 0) return scene.world.velocity(id).y;
+  }
+  return 0;
+}
+
+double bounce(double floor_restitution, double ball_restitution, std::optional<Combine> rule) {
+  Scene scene;
+  BodyDef ground = body(box({10, 1, 10}), BodyType::fixed);
+  ground.restitution = floor_restitution;
+  scene.add(ground, {0, -0.5, 0});
+  BodyDef def = body(ball(0.25));
+  def.restitution = ball_restitution;
+  def.restitution_combine = rule;
+  const BodyId id = scene.add(def, {0, 2.25, 0});
+  return rebound(scene, id) / std::sqrt(2 * 9.81 * 2);
+}
+
+double stop_distance(double mu_floor, double mu_box, std::optional<Combine> rule) {
+  Scene scene;
+  BodyDef ground = body(box({40, 1, 40}), BodyType::fixed);
+  ground.friction = mu_floor;
+  scene.add(ground, {0, -0.5, 0});
+  BodyDef def = body(box({1, 0.2, 1}));
+  def.friction = mu_box;
+  def.friction_combine = rule;
+  const BodyId id = scene.add(def, {0, 0.1, 0});
+  scene.run(0.2);
+  const double start = scene.at(id).x;
+  scene.world.set_velocity(id, {3, 0, 0});
+  scene.run(4);
+  return scene.at(id).x - start;
+}
+
+}  // namespace
+
+TEST_CASE("materials: restitution is the combined one", "[physics]") {
+  // Within 5 %: one substep of gravity and the way left at the hit are not seen by the bounce.
+  CHECK(bounce(0, 0.8, {}) == Approx(0.8).epsilon(0.05));          // the world's rule is max
+  CHECK(bounce(0.4, 0.8, Combine::min) == Approx(0.4).epsilon(0.05));
+  CHECK(bounce(0.4, 0.8, Combine::average) == Approx(0.6).epsilon(0.05));
+  CHECK(bounce(0.5, 0.8, Combine::multiply) == Approx(0.4).epsilon(0.05));
+  CHECK(bounce(0, 1, {}) == Approx(1).epsilon(0.05));
+  CHECK(bounce(0, 0, {}) == Approx(0).margin(0.02));
+}
+
+TEST_CASE("materials: a sliding box stops after v^2 / (2 mu g)", "[physics]") {
+  const auto expected = [](double mu) { return 9 / (2 * mu * 9.81); };
+
+  // 2 %: a substep of time.
+  CHECK(stop_distance(0.5, 0.8, {}) == Approx(expected(0.4)).epsilon(0.02));
+  CHECK(stop_distance(0.5, 0.8, Combine::average) == Approx(expected(0.65)).epsilon(0.02));
+  CHECK(stop_distance(0.5, 0.8, Combine::max) == Approx(expected(0.8)).epsilon(0.02));
+  CHECK(stop_distance(0.5, 0.8, Combine::min) == Approx(expected(0.5)).epsilon(0.02));
+}
+
+TEST_CASE("materials: a collider's own friction holds where it touches", "[physics]") {
+  Scene scene;
+  scene.floor();
+  BodyDef def = body(box({1, 0.2, 1}));
+  def.friction = 1;
+  def.colliders[0].friction = 0;
+  const BodyId id = scene.add(def, {0, 0.1, 0});
+  scene.run(0.1);
+  scene.world.set_velocity(id, {2, 0, 0});
+
+  scene.run(1);
+
+  CHECK(scene.world.velocity(id).x == Approx(2).epsilon(1e-6));
+}
+
+TEST_CASE("materials: a change of friction holds from the next step", "[physics]") {
+  Scene scene;
+  scene.floor();
+  BodyDef def = body(box({1, 0.2, 1}));
+  def.friction = 0;
+  const BodyId id = scene.add(def, {0, 0.1, 0});
+  scene.run(0.5);
+  scene.world.set_velocity(id, {2, 0, 0});
+  scene.run(0.2);
+  REQUIRE(scene.world.velocity(id).x == Approx(2).epsilon(1e-6));
+
+  def = scene.world.def(id);
+  def.friction = 1;
+  scene.world.configure(id, def);
+  scene.run(0.2);
+
+  CHECK(scene.world.velocity(id).x == Approx(2 - 0.5 * 9.81 * 0.2).margin(0.05));
+}
+
+TEST_CASE("materials: a belt brings what lies on it to its speed", "[physics]") {
+  Scene scene;
+  BodyDef belt = body(box({40, 1, 4}), BodyType::fixed);
+  belt.surface_velocity = {1.5, 0, 0};
+  scene.add(belt, {0, -0.5, 0});
+  const BodyId id = scene.add(body(box({0.5, 0.5, 0.5})), {-5, 0.25, 0});
+
+  scene.run(3);
+
+  CHECK(scene.world.velocity(id).x == Approx(1.5).epsilon(0.01));
+  CHECK(std::abs(scene.world.velocity(id).z) < 0.01);
+}
