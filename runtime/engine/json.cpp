@@ -162,7 +162,11 @@ struct Writer {
   std::string operator()(const std::string& s) const { return quoted(s); }
   std::string operator()(Vec3 v) const { return numbers({v.x, v.y, v.z}); }
   std::string operator()(Quat q) const { return numbers({q.x, q.y, q.z, q.w}); }
-  std::string operator()(const Color& c) const { return quoted(to_hex(c)); }
+  // A colour between the steps of 255 would change a little each time it is saved, so that one is written in numbers.
+  std::string operator()(const Color& c) const {
+    const std::string hex = to_hex(c);
+    return parse_color(hex) == c ? quoted(hex) : numbers({c.r, c.g, c.b, c.a});
+  }
   std::string operator()(const Reference&) const { fail("JSON cannot hold a node or joint; write its name or id"); }
   std::string operator()(const List& list) const {
     std::vector<std::string> parts;

@@ -12,8 +12,8 @@ namespace tumble {
 // deep and at texts above 64 MiB.
 Value parse_json(const std::string& text, const std::string& file);
 // Two spaces of indent; short lists and tables stay on one line, so that diffs are readable. vec3 is [x, y, z], quat
-// [x, y, z, w], color "#rrggbb" or "#rrggbbaa". Ends with a line feed. Throws Error at what JSON has no form for: NaN,
-// infinity, nodes, joints.
+// [x, y, z, w], color "#rrggbb" or "#rrggbbaa", or [r, g, b, a] where that is not exact. Ends with a line feed. Throws
+// Error at what JSON has no form for: NaN, infinity, nodes, joints.
 std::string write_json(const Value& value);
 
 }  // namespace tumble

@@ -77,6 +77,7 @@ TEST_CASE("json: vectors, rotations and colours have forms of their own", "[engi
   CHECK(write_json(Vec3{1, 2.5, -3}) == "[1, 2.5, -3]\n");
   CHECK(write_json(Quat{0, 0, 0, 1}) == "[0, 0, 0, 1]\n");
   CHECK(write_json(Color{1, 0, 0, 1}) == "\"#ff0000\"\n");
+  CHECK(write_json(Color{0.3, 0, 0, 1}) == "[0.3, 0, 0, 1]\n");
 }
 
 TEST_CASE("json: short tables stay on one line, long ones do not", "[engine]") {
