@@ -49,9 +49,10 @@ Batches make_batches(const DrawList& list) {
     if (is_new) groups.emplace_back();
     groups[place->second].push_back(&mesh);
   }
-  std::stable_sort(transparent.begin(), transparent.end(), [](const DrawMesh* a, const DrawMesh* b) {
-    return squared_distance(*a) > squared_distance(*b);
-  });
+  const auto nearer = [](const DrawMesh* a, const DrawMesh* b) { return squared_distance(*a) < squared_distance(*b); };
+  // What is near hides what is far, which then need not be lit.
+  for (auto& group : groups) std::stable_sort(group.begin(), group.end(), nearer);
+  std::stable_sort(transparent.rbegin(), transparent.rend(), nearer);
 
   const auto add = [&](std::vector<Batch>& batches, const std::vector<const DrawMesh*>& group) {
     batches.push_back({key_of(*group[0]), &group[0]->shape, static_cast<std::uint32_t>(result.instances.size()),

@@ -55,7 +55,7 @@ struct DrawList {
   double near = 0.1, far = 1000;
 
   bool has_sun = true;
-  Vec3 sun_direction{-0.4, -0.8, -0.45};      // along which its light travels, unit
+  Vec3 sun_direction{0.5, -0.75, -0.433};      // along which its light travels, unit
   Color sun_color;
   double sun_brightness = 1;
   bool sun_shadow = true;

@@ -1,5 +1,7 @@
 #include "render/view.h"
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,6 +17,12 @@ Matrix4d rotation_to_frame(Quat rotation) {
   Matrix4d m = Matrix4d::Identity();
   m.topLeftCorner<3, 3>() << x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z;
   return m;
+}
+
+WideMatrix plain(const Matrix4d& m) {
+  WideMatrix result;
+  std::copy_n(m.data(), result.size(), result.begin());  // Eigen's columns come first too
+  return result;
 }
 
 struct Box {
@@ -49,13 +57,20 @@ Box bounds(const DrawMesh& mesh, Quat to_frame) {
 
 // Wide things with nothing below them are ground: they are shadowed but their own shadow falls nowhere.
 constexpr double kGroundWidth = 8;  // m
+constexpr double kSunkIn = 0.5;     // what reaches less far below a thing's own bottom only stands in it, m
+
+bool is_below(const Box& other, const Box& box) {
+  const bool beside = other.high.x < box.low.x || other.low.x > box.high.x || other.high.z < box.low.z ||
+                      other.low.z > box.high.z;
+  return !beside && other.low.y < box.low.y - kSunkIn;
+}
 
 Box shadows_of_casters(const DrawList& list, Quat to_light) {
   std::vector<Box> upright;
   for (const DrawMesh& mesh : list.meshes) upright.push_back(bounds(mesh, Quat{}));
   const auto is_ground = [&](const Box& box) {
     if (std::min(box.high.x - box.low.x, box.high.z - box.low.z) < kGroundWidth) return false;
-    return std::none_of(upright.begin(), upright.end(), [&](const Box& other) { return other.high.y <= box.low.y; });
+    return std::none_of(upright.begin(), upright.end(), [&](const Box& other) { return is_below(other, box); });
   };
   Box result;
   for (std::size_t i = 0; i < upright.size(); ++i)
@@ -85,7 +100,7 @@ ViewRays view_rays(const DrawList& list, double aspect) {
           list.camera_rotation * Vec3{0, height, 0}};
 }
 
-Matrix4d camera_matrix(const DrawList& list, double aspect) {
+WideMatrix camera_matrix(const DrawList& list, double aspect) {
   const double f = 1 / std::tan(list.field_of_view / 2), near = list.near, far = list.far;
   Matrix4d projection = Matrix4d::Zero();
   projection(0, 0) = f / aspect;
@@ -93,7 +108,7 @@ Matrix4d camera_matrix(const DrawList& list, double aspect) {
   projection(2, 2) = (far + near) / (near - far);
   projection(2, 3) = 2 * far * near / (near - far);
   projection(3, 2) = -1;
-  return projection * rotation_to_frame(list.camera_rotation);
+  return plain(projection * rotation_to_frame(list.camera_rotation));
 }
 
 ShadowFit fit_shadow(const DrawList& list, double aspect, int map_size) {
@@ -125,7 +140,7 @@ ShadowFit fit_shadow(const DrawList& list, double aspect, int map_size) {
   box(1, 3) = -y * 2 / side;
   box(2, 2) = -2 / fit.depth;
   box(2, 3) = (nearest + farthest) / fit.depth;
-  fit.matrix = box * rotation_to_frame(light);
+  fit.matrix = plain(box * rotation_to_frame(light));
   return fit;
 }
 

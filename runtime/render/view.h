@@ -1,14 +1,17 @@
 // The mathematics of a picture: where the camera looks, what the sun's shadow map covers. No GL here.
 #pragma once
 
-#include <Eigen/Core>
+#include <array>
 
 #include "render/draw_list.h"
 
 namespace tumble {
 
+// Column-major 4x4. As wide as the scene's numbers; draws narrow it at the last moment.
+using WideMatrix = std::array<double, 16>;
+
 // Picture space to OpenGL's clip space.
-Eigen::Matrix4d camera_matrix(const DrawList& list, double aspect);
+WideMatrix camera_matrix(const DrawList& list, double aspect);
 
 // The rays through the picture, for the sky: centre + x right + y up, with x and y from -1 to 1.
 struct ViewRays {
@@ -21,7 +24,7 @@ constexpr double kShadowDistance = 60;
 
 struct ShadowFit {
   bool any = false;               // false: nothing in sight casts a shadow
-  Eigen::Matrix4d matrix;         // picture space to the map's clip space
+  WideMatrix matrix{};            // picture space to the map's clip space
   double texel = 0, depth = 0;    // one texel's edge, the whole depth range, m
 };
 

@@ -7,7 +7,7 @@ namespace tumble {
 LinePass::LinePass(const Gl& gl)
     : gl_(gl), program_(gl, {"line.vert.glsl"}, {"line.frag.glsl"}), stream_(gl, {3, 3, 4}, 1) {}
 
-void LinePass::draw(const std::vector<DrawLine>& lines, const Eigen::Matrix4d& matrix, int width, int height) {
+void LinePass::draw(const std::vector<DrawLine>& lines, const WideMatrix& matrix, int width, int height) {
   if (lines.empty()) return;
   const double thickness = std::max(1.25, height / 480.0);  // pixels
   program_.use();

@@ -1,8 +1,6 @@
 // Debug lines: those in the world first, then those seen through everything.
 #pragma once
 
-#include <Eigen/Core>
-
 #include <vector>
 
 #include "render/draw_list.h"
@@ -14,7 +12,7 @@ namespace tumble {
 class LinePass {
  public:
   explicit LinePass(const Gl& gl);
-  void draw(const std::vector<DrawLine>& lines, const Eigen::Matrix4d& matrix, int width, int height);
+  void draw(const std::vector<DrawLine>& lines, const WideMatrix& matrix, int width, int height);
 
  private:
   void draw_some(const std::vector<DrawLine>& lines, bool on_top);

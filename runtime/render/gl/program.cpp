@@ -1,5 +1,6 @@
 #include "render/gl/program.h"
 
+#include <algorithm>
 #include <cassert>
 #include <string_view>
 
@@ -84,8 +85,9 @@ void Program::set(const char* name, Vec3 value) const {
 void Program::set(const char* name, const std::array<float, 4>& rgb) const {
   gl_.Uniform3f(location(name), rgb[0], rgb[1], rgb[2]);
 }
-void Program::set(const char* name, const Eigen::Matrix4d& value) const {
-  const Eigen::Matrix4f narrow = value.cast<float>();
+void Program::set(const char* name, const WideMatrix& value) const {
+  Matrix narrow;
+  std::transform(value.begin(), value.end(), narrow.begin(), [](double v) { return static_cast<float>(v); });
   gl_.UniformMatrix4fv(location(name), 1, GL_FALSE, narrow.data());
 }
 

@@ -6,10 +6,9 @@
 #include <map>
 #include <string>
 
-#include <Eigen/Core>
-
 #include "base/math.h"
 #include "render/gl/functions.h"
+#include "render/view.h"
 
 namespace tumble {
 
@@ -28,7 +27,7 @@ class Program {
   void set(const char* name, double x, double y) const;
   void set(const char* name, Vec3 value) const;
   void set(const char* name, const std::array<float, 4>& rgb) const;
-  void set(const char* name, const Eigen::Matrix4d& value) const;
+  void set(const char* name, const WideMatrix& value) const;
 
  private:
   GLint location(const char* name) const;

@@ -14,17 +14,21 @@
 namespace tumble {
 namespace {
 
-constexpr int kShadowMapSize = 2048;
 constexpr int kShadowUnit = 1;
 
-// Edges are smoothed where a graphics card does it almost for nothing; a processor that draws has better things to do.
-int edge_samples(const Gl& gl) {
+// A processor that draws has better things to do than what a graphics card does almost for nothing.
+struct Quality {
+  int edge_samples = 0;
+  int shadow_map_size = 1024;
+};
+
+Quality quality_for(const Gl& gl) {
   const std::string name = reinterpret_cast<const char*>(gl.GetString(GL_RENDERER));
   for (const char* software : {"llvmpipe", "softpipe", "swrast", "SwiftShader", "SWR"})
-    if (name.find(software) != std::string::npos) return 0;
+    if (name.find(software) != std::string::npos) return {};
   GLint most = 0;
   gl.GetIntegerv(GL_MAX_SAMPLES, &most);
-  return most >= 4 ? 4 : 0;
+  return {most >= 4 ? 4 : 0, 2048};
 }
 
 // A program for a core profile draws nothing without a vertex array, even where it reads none.
@@ -38,7 +42,8 @@ struct EmptyArray {
 class GlRenderer final : public Renderer {
  public:
   explicit GlRenderer(Window& window)
-      : window_(window), gl_(load(window)), target_(gl_, edge_samples(gl_)), shadow_map_(gl_, kShadowMapSize),
+      : window_(window), gl_(load(window)), quality_(quality_for(gl_)), target_(gl_, quality_.edge_samples),
+        shadow_map_(gl_, quality_.shadow_map_size),
         mesh_program_(gl_, {"mesh.vert.glsl"}, {"light.glsl", "mesh.frag.glsl"}),
         shadow_program_(gl_, {"mesh.vert.glsl"}, {"shadow.frag.glsl"}),
         sky_program_(gl_, {"sky.vert.glsl"}, {"light.glsl", "sky.frag.glsl"}), meshes_(gl_), lines_(gl_), ui_(gl_),
@@ -50,7 +55,7 @@ class GlRenderer final : public Renderer {
     if (width <= 0 || height <= 0) return;
     window_.make_current();
     const double aspect = static_cast<double>(width) / height;
-    const Eigen::Matrix4d camera = camera_matrix(list, aspect);
+    const WideMatrix camera = camera_matrix(list, aspect);
     const Batches batches = make_batches(list);
     meshes_.upload(batches);
     gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
@@ -114,14 +119,14 @@ class GlRenderer final : public Renderer {
     program.set("sun_light", Vec3{sun[0], sun[1], sun[2]} * (list.has_sun ? list.sun_brightness : 0));
   }
 
-  void draw_meshes(const DrawList& list, const Eigen::Matrix4d& camera, const ShadowFit& shadow,
+  void draw_meshes(const DrawList& list, const WideMatrix& camera, const ShadowFit& shadow,
                    const std::vector<Batch>& batches) {
     if (batches.empty()) return;
     mesh_program_.use();
     set_light(mesh_program_, list);
     mesh_program_.set("matrix", camera);
     mesh_program_.set("shadow_map", kShadowUnit);
-    mesh_program_.set("shadow_matrix", shadow.any ? shadow.matrix : Eigen::Matrix4d::Identity().eval());
+    mesh_program_.set("shadow_matrix", shadow.matrix);
     mesh_program_.set("shadow_texel", shadow.texel);
     mesh_program_.set("shadow_pixel", 1.0 / shadow_map_.size());
     mesh_program_.set("shadow_distance", kShadowDistance);
@@ -141,7 +146,7 @@ class GlRenderer final : public Renderer {
     gl_.DrawArrays(GL_TRIANGLES, 0, 3);
   }
 
-  void draw_transparent(const DrawList& list, const Eigen::Matrix4d& camera, const ShadowFit& shadow,
+  void draw_transparent(const DrawList& list, const WideMatrix& camera, const ShadowFit& shadow,
                         const std::vector<Batch>& batches) {
     gl_.Enable(GL_BLEND);
     draw_meshes(list, camera, shadow, batches);
@@ -150,6 +155,7 @@ class GlRenderer final : public Renderer {
 
   Window& window_;
   const Gl gl_;
+  const Quality quality_;
   Target target_;
   ShadowMap shadow_map_;
   Program mesh_program_, shadow_program_, sky_program_;
