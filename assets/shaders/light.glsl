@@ -14,7 +14,7 @@ vec3 sky(vec3 direction) {
   return mix(above, below, smoothstep(-0.002, 0.004, -h));
 }
 
-// Straight up to 0.8, then a soft shoulder, so that colours stay as their authors wrote them and highlights do not clip.
+// Straight up to 0.8, then a soft shoulder: colours stay as their authors wrote them, and highlights do not clip.
 vec3 shoulder(vec3 light) {
   const float start = 0.8;
   vec3 over = max(light - start, 0.0) / (1.0 - start);

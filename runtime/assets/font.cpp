@@ -53,8 +53,8 @@ Glyph Font::draw(char32_t letter, double size, double shift) const {
   Glyph glyph{right - left, bottom - top, left, top, {}};
   if (glyph.width <= 0 || glyph.height <= 0) return {};
   glyph.coverage.resize(static_cast<std::size_t>(glyph.width) * glyph.height);
-  stbtt_MakeGlyphBitmapSubpixel(&data_->info, glyph.coverage.data(), glyph.width, glyph.height, glyph.width, scale, scale,
-                                x_shift, 0, index);
+  stbtt_MakeGlyphBitmapSubpixel(&data_->info, glyph.coverage.data(), glyph.width, glyph.height, glyph.width, scale,
+                                scale, x_shift, 0, index);
   return glyph;
 }
 

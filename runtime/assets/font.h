@@ -23,7 +23,7 @@ class Font {
   explicit Font(std::string_view bytes);
   ~Font();
 
-  // How far the pen moves on after a letter, for size 1. Letters that the face lacks have the width of its box for them.
+  // How far the pen moves on after a letter, for size 1. Letters that the face lacks are as wide as its box for them.
   double advance(char32_t letter) const;
   // From the line's top to its baseline, for size 1.
   double ascent() const;

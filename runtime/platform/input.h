@@ -16,8 +16,8 @@ constexpr int kMaxPads = 4;
 
 enum class InputKind { press, release, value, pointer_move, wheel, text };
 
-// One change of input, in the order in which it happened. Recorded, and so all that a game ever sees. Sticks and triggers
-// give a `value` at each change, after a `press` or `release` where they pass the middle.
+// One change of input, in the order in which it happened. Recorded, and so all that a game ever sees. Sticks and
+// triggers give a `value` at each change, after a `press` or `release` where they pass the middle.
 struct InputEvent {
   InputKind kind = InputKind::press;
   std::string name;       // press, release, value: the raw name; text: what was typed, UTF-8

@@ -1,4 +1,5 @@
-// One picture as plain data: what the engine extracts from the scene and a renderer draws. Floats, relative to `origin`.
+// One picture as plain data: what the engine extracts from the scene and a renderer draws. Floats, relative to
+// `origin`.
 #pragma once
 
 #include <array>
@@ -49,7 +50,7 @@ struct DrawUi {
 };
 
 struct DrawList {
-  Vec3 origin;                    // world place of the picture space's origin: the camera's, so that floats suffice far out
+  Vec3 origin;                    // world place of the picture space's origin: the camera's, so that floats suffice
   Quat camera_rotation;           // the camera sits at the origin
   double field_of_view = 1.0471975511965976;  // vertical, rad
   double near = 0.1, far = 1000;

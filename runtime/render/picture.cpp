@@ -15,7 +15,8 @@
 namespace tumble {
 
 void write_png(const Picture& picture, const std::string& file) {
-  if (picture.pixels.empty()) fail("picture: there is none to write to '", file, "'; draw with a renderer that makes pictures");
+  if (picture.pixels.empty())
+    fail("picture: there is none to write to '", file, "'; draw with a renderer that makes pictures");
   std::string bytes;
   const auto append = [](void* context, void* data, int size) {
     static_cast<std::string*>(context)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));

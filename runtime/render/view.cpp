@@ -112,7 +112,8 @@ WideMatrix camera_matrix(const DrawList& list, double aspect) {
 }
 
 ShadowFit fit_shadow(const DrawList& list, double aspect, int map_size) {
-  const Quat light = look_rotation(list.sun_direction, std::abs(list.sun_direction.y) > 0.99 ? Vec3{0, 0, 1} : Vec3{0, 1, 0});
+  const bool is_noon = std::abs(list.sun_direction.y) > 0.99;
+  const Quat light = look_rotation(list.sun_direction, is_noon ? Vec3{0, 0, 1} : Vec3{0, 1, 0});
   const Quat to_light = conjugate(light);
   const Box casters = shadows_of_casters(list, to_light), seen = sight(list, aspect, to_light);
   const double left = std::max(casters.low.x, seen.low.x), right = std::min(casters.high.x, seen.high.x);
@@ -131,7 +132,9 @@ ShadowFit fit_shadow(const DrawList& list, double aspect, int map_size) {
   fit.texel = side / map_size;
   fit.depth = nearest - farthest;
   const Vec3 origin = to_light * list.origin;
-  const auto snapped = [&](double place, double world) { return std::round((place + world) / fit.texel) * fit.texel - world; };
+  const auto snapped = [&](double place, double world) {
+    return std::round((place + world) / fit.texel) * fit.texel - world;
+  };
   const double x = snapped((left + right) / 2, origin.x), y = snapped((down + up) / 2, origin.y);
 
   Matrix4d box = Matrix4d::Identity();

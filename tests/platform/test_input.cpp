@@ -12,8 +12,8 @@ TEST_CASE("input: raw names are words in alphabetical order, each once", "[platf
 
   CHECK(std::is_sorted(names.begin(), names.end()));
   CHECK(std::adjacent_find(names.begin(), names.end()) == names.end());
-  for (const char* name : {"a", "z", "0", "9", "space", "left", "escape", "left_shift", "f1", "f12", "keypad_0", "minus",
-                           "pointer", "pointer_right", "pad_a", "pad2_a", "pad_left_x+", "pad4_right_y-"})
+  for (const char* name : {"a", "z", "0", "9", "space", "left", "escape", "left_shift", "f1", "f12", "keypad_0",
+                           "minus", "pointer", "pointer_right", "pad_a", "pad2_a", "pad_left_x+", "pad4_right_y-"})
     CHECK(is_raw_input_name(name));
   for (const char* name : {"", "A", "shift", "pad5_a", "pad_left_x", "f13"}) CHECK_FALSE(is_raw_input_name(name));
 }

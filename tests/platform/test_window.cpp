@@ -82,7 +82,8 @@ TEST_CASE("window: every key that SDL can press has a raw name of ours or none",
 
 TEST_CASE("window: f3, f5 and f11 are ours, other function keys the game's as well", "[platform]") {
   const auto window = open_hidden();
-  for (const SDL_Scancode key : {SDL_SCANCODE_F3, SDL_SCANCODE_F5, SDL_SCANCODE_F11, SDL_SCANCODE_F1}) push_key(key, true);
+  for (const SDL_Scancode key : {SDL_SCANCODE_F3, SDL_SCANCODE_F5, SDL_SCANCODE_F11, SDL_SCANCODE_F1})
+    push_key(key, true);
 
   const WindowEvents events = window->poll();
 

@@ -13,7 +13,8 @@ float f(double value) { return static_cast<float>(value); }
 
 Matrix matrix_of(Vec3 position, Quat rotation, Vec3 scale) {
   const Vec3 x = rotation * Vec3{scale.x, 0, 0}, y = rotation * Vec3{0, scale.y, 0}, z = rotation * Vec3{0, 0, scale.z};
-  return {f(x.x), f(x.y), f(x.z), 0, f(y.x), f(y.y), f(y.z), 0, f(z.x), f(z.y), f(z.z), 0, f(position.x), f(position.y), f(position.z), 1};
+  return {f(x.x), f(x.y), f(x.z), 0, f(y.x), f(y.y), f(y.z), 0,
+          f(z.x), f(z.y), f(z.z), 0, f(position.x), f(position.y), f(position.z), 1};
 }
 
 }  // namespace
@@ -92,7 +93,8 @@ Difference difference(const Picture& a, const Picture& b) {
     }
     changed += most > 12;
   }
-  return {sum / static_cast<double>(a.pixels.size()), 3.0 * static_cast<double>(changed) / static_cast<double>(a.pixels.size())};
+  const auto channels = static_cast<double>(a.pixels.size());
+  return {sum / channels, 3 * static_cast<double>(changed) / channels};
 }
 
 Picture load_picture(const std::string& file) {

@@ -47,13 +47,17 @@ PictureScene lines() {
 
 }  // namespace
 
-TEST_CASE("golden: a still life of all shapes", "[render][golden]") { check_golden(draw(still_life().list), "still_life"); }
+TEST_CASE("golden: a still life of all shapes", "[render][golden]") {
+  check_golden(draw(still_life().list), "still_life");
+}
 
 TEST_CASE("golden: an empty scene is sky above a horizon", "[render][golden]") {
   check_golden(draw(PictureScene({0, 2, 6}, {0, 2, 0}).list), "empty");
 }
 
-TEST_CASE("golden: texts with umlauts, and panels in order", "[render][golden]") { check_golden(draw(texts().list, 1280, 720), "texts"); }
+TEST_CASE("golden: texts with umlauts, and panels in order", "[render][golden]") {
+  check_golden(draw(texts().list, 1280, 720), "texts");
+}
 
 TEST_CASE("golden: lines behind a box are hidden, lines on top are not", "[render][golden]") {
   check_golden(draw(lines().list), "lines");

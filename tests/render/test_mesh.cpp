@@ -77,7 +77,8 @@ TEST_CASE("mesh: triangles are counter-clockwise and normals are units that poin
     double least_agreement = 1, worst_length = 0;
 
     for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
-      const Vec3 face = normalized(cross(position(mesh, i + 1) - position(mesh, i), position(mesh, i + 2) - position(mesh, i)));
+      const Vec3 a = position(mesh, i);
+      const Vec3 face = normalized(cross(position(mesh, i + 1) - a, position(mesh, i + 2) - a));
       for (std::size_t k = 0; k < 3; ++k) {
         least_agreement = std::min(least_agreement, dot(face, normal(mesh, i + k)));
         worst_length = std::max(worst_length, std::abs(length(normal(mesh, i + k)) - 1));
@@ -138,7 +139,8 @@ TEST_CASE("mesh: a hull holds all of many points", "[assets]") {
 
   double farthest_out = 0;
   for (std::size_t i = 0; i < hull.triangles.size(); i += 3)
-    for (const Vec3 point : points) farthest_out = std::max(farthest_out, dot(point - position(hull, i), normal(hull, i)));
+    for (const Vec3 point : points)
+      farthest_out = std::max(farthest_out, dot(point - position(hull, i), normal(hull, i)));
   CHECK(farthest_out < 1e-6);
   CHECK(volume(hull) > 4);  // of the cube of volume 8 that the points lie in
 }

@@ -133,7 +133,8 @@ TEST_CASE("renderer: two windows do not draw into each other", "[render]") {
 
 TEST_CASE("renderer: a text that outgrows the letter texture is still drawn", "[render]") {
   PictureScene crowded, last;
-  for (int size = 20; size < 190; ++size) crowded.add_text("abcdefghijklmnopqrstuvwxyz", 0, 0, static_cast<float>(size));
+  for (int size = 20; size < 190; ++size)
+    crowded.add_text("abcdefghijklmnopqrstuvwxyz", 0, 0, static_cast<float>(size));
   last.add_text("Hallo", 100, 100, 60);
   const auto window = Window::open(hidden());
   const auto renderer = make_gl_renderer(*window);

@@ -23,10 +23,13 @@ bool display_named() {
 #endif
 }
 
-void refuse_invisible(bool offscreen) {
+void refuse_invisible(bool offscreen, bool was_running) {
   if (offscreen || driver_is_visible(video_driver()) || !wanted_driver().empty()) return;
   const std::string driver = video_driver();
   SDL_QuitSubSystem(SDL_INIT_VIDEO);
+  if (was_running)
+    fail("window: cannot open on screen while this program draws off screen (driver '", driver,
+         "'); end that first, or draw off screen");
   fail("window: no display to open a window on (SDL offers only '", driver,
        "'); start from a desktop session, or draw off screen");
 }
@@ -48,13 +51,14 @@ Video::Video(bool offscreen) {
   SDL_SetHint(SDL_HINT_VIDEO_ALLOW_SCREENSAVER, "1");
   // A hint rather than the environment, which children and other libraries would inherit; the user's own wins over it.
   if (offscreen) SDL_SetHint(SDL_HINT_VIDEODRIVER, "offscreen");
+  const bool was_running = !video_driver().empty();
   const bool ready = SDL_InitSubSystem(SDL_INIT_VIDEO) == 0;
   const std::string reason = SDL_GetError();
   SDL_ResetHint(SDL_HINT_VIDEODRIVER);
   if (!ready)
     fail("window: SDL cannot ", offscreen ? "draw off screen" : "open a display", " (", reason, "); ",
          offscreen ? "install Mesa's libEGL, or unset SDL_VIDEODRIVER" : "draw off screen instead");
-  refuse_invisible(offscreen);
+  refuse_invisible(offscreen, was_running);
 }
 
 Video::~Video() { SDL_QuitSubSystem(SDL_INIT_VIDEO); }

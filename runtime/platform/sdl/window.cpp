@@ -81,8 +81,8 @@ class SdlWindow final : public Window {
   std::string try_open(const WindowDef& def, bool es) {
     ask_for_context(es);
     es_ = es;
-    window_ = SDL_CreateWindow(def.title.c_str(), SDL_WINDOWPOS_UNDEFINED, SDL_WINDOWPOS_UNDEFINED, def.width, def.height,
-                               window_flags(def));
+    window_ = SDL_CreateWindow(def.title.c_str(), SDL_WINDOWPOS_UNDEFINED, SDL_WINDOWPOS_UNDEFINED, def.width,
+                               def.height, window_flags(def));
     if (window_) context_ = SDL_GL_CreateContext(window_);
     if (context_) return "";
     const std::string reason = SDL_GetError();

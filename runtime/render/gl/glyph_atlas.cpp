@@ -17,8 +17,10 @@ constexpr int kGap = 1;  // between letters, so that none bleeds into another
 GlyphAtlas::GlyphAtlas(const Gl& gl) : gl_(gl) {
   gl_.GenTextures(1, &texture_);
   gl_.BindTexture(GL_TEXTURE_2D, texture_);
-  for (const GLenum side : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) gl_.TexParameteri(GL_TEXTURE_2D, side, GL_CLAMP_TO_EDGE);
-  for (const GLenum way : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) gl_.TexParameteri(GL_TEXTURE_2D, way, GL_LINEAR);
+  for (const GLenum side : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+    gl_.TexParameteri(GL_TEXTURE_2D, side, GL_CLAMP_TO_EDGE);
+  for (const GLenum way : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    gl_.TexParameteri(GL_TEXTURE_2D, way, GL_LINEAR);
   clear();
 }
 
@@ -71,7 +73,8 @@ const GlyphAtlas::Entry* GlyphAtlas::find(char32_t letter, bool mono, double siz
   gl_.BindTexture(GL_TEXTURE_2D, texture_);
   gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   if (glyph.width > 0)
-    gl_.TexSubImage2D(GL_TEXTURE_2D, 0, x, y, glyph.width, glyph.height, GL_RED, GL_UNSIGNED_BYTE, glyph.coverage.data());
+    gl_.TexSubImage2D(GL_TEXTURE_2D, 0, x, y, glyph.width, glyph.height, GL_RED, GL_UNSIGNED_BYTE,
+                      glyph.coverage.data());
   const auto place_of = [](int pixel) { return static_cast<float>(pixel) / kSide; };
   const Entry entry{place_of(x), place_of(y), place_of(x + glyph.width), place_of(y + glyph.height),
                     glyph.left,  glyph.top,   glyph.width,               glyph.height};

@@ -10,8 +10,8 @@ namespace {
 void check_complete(const Gl& gl, const char* what, int width, int height) {
   const GLenum status = gl.CheckFramebufferStatus(GL_FRAMEBUFFER);
   if (status != GL_FRAMEBUFFER_COMPLETE)
-    fail("renderer: the graphics driver cannot draw into ", what, " of ", width, " x ", height, " pixels (status ", status,
-         "); make the window smaller or update the driver");
+    fail("renderer: the graphics driver cannot draw into ", what, " of ", width, " x ", height, " pixels (status ",
+         status, "); make the window smaller or update the driver");
 }
 
 }  // namespace
@@ -93,8 +93,10 @@ ShadowMap::ShadowMap(const Gl& gl, int size) : gl_(gl), size_(size) {
   gl_.GenTextures(1, &depth_);
   gl_.BindTexture(GL_TEXTURE_2D, depth_);
   gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, size, size, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, nullptr);
-  for (const GLenum side : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) gl_.TexParameteri(GL_TEXTURE_2D, side, GL_CLAMP_TO_EDGE);
-  for (const GLenum way : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) gl_.TexParameteri(GL_TEXTURE_2D, way, GL_LINEAR);
+  for (const GLenum side : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+    gl_.TexParameteri(GL_TEXTURE_2D, side, GL_CLAMP_TO_EDGE);
+  for (const GLenum way : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    gl_.TexParameteri(GL_TEXTURE_2D, way, GL_LINEAR);
   gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
   gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
 

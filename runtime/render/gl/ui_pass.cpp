@@ -80,8 +80,9 @@ bool UiPass::add_text(const DrawText& text, double scale) {
 void UiPass::add(const Rectangle& place, const GlyphAtlas::Entry& entry, const Color& color) {
   const auto f = [](double value) { return static_cast<float>(value); };
   const auto corner = [&](bool right, bool bottom) {
-    return Corner{f(right ? place.right : place.left), f(bottom ? place.bottom : place.top), right ? entry.u1 : entry.u0,
-                  bottom ? entry.v1 : entry.v0, f(color.r), f(color.g), f(color.b), f(color.a)};
+    const float x = f(right ? place.right : place.left), y = f(bottom ? place.bottom : place.top);
+    const float u = right ? entry.u1 : entry.u0, v = bottom ? entry.v1 : entry.v0;
+    return Corner{x, y, u, v, f(color.r), f(color.g), f(color.b), f(color.a)};
   };
   const Corner a = corner(false, false), b = corner(true, false), c = corner(true, true), d = corner(false, true);
   corners_.insert(corners_.end(), {a, d, c, a, c, b});
