@@ -70,9 +70,10 @@ CONF
 fetch() {
   command -v apt-get >/dev/null && command -v dpkg-source >/dev/null || return 1
   local mirror release
+  mirrors >mirrors.list
   while read -r mirror release; do
     download "$mirror" "$release" </dev/null >>log 2>&1 && return
-  done < <(mirrors)
+  done <mirrors.list
   tail -n 5 log >&2
   return 1
 }
