@@ -84,7 +84,7 @@ TEST_CASE("queries: a cone is hit as the limit of a fine hull of it", "[physics]
   Shape hull;
   hull.shape = ShapeKind::hull;
   hull.points.push_back({0, h / 2, 0});
-  for (int i = 0; i < 360; ++i) hull.points.push_back({r * std::cos(radians(i)), -h / 2, r * std::sin(radians(i))});
+  for (int i = 0; i < 360; i += 6) hull.points.push_back({r * std::cos(radians(i)), -h / 2, r * std::sin(radians(i))});
   Scene smooth, edged;
   smooth.add(body(upright(ShapeKind::cone, r, h), BodyType::fixed), {});
   edged.add(body(hull, BodyType::fixed), {});
@@ -94,8 +94,8 @@ TEST_CASE("queries: a cone is hit as the limit of a fine hull of it", "[physics]
     const Vec3 origin = random_direction(random) * 5.0, direction = random_direction(random) * 0.3 - origin;
     const auto a = smooth.world.raycast(origin, direction, 20), b = edged.world.raycast(origin, direction, 20);
     if (!a || !b) continue;
-    // The sagitta of one degree is 2e-5 m across the surface.
-    CHECK(std::abs(a->distance - b->distance) * std::abs(dot(a->normal, normalized(direction))) < 3e-5);
+    // The sagitta of six degrees is 7e-4 m across the surface.
+    CHECK(std::abs(a->distance - b->distance) * std::abs(dot(a->normal, normalized(direction))) < 7e-4);
   }
 }
 

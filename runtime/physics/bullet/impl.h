@@ -48,7 +48,10 @@ struct World::Impl {
 
   // ---- bodies (world.cpp)
   void apply_settings();
+  std::optional<std::uint32_t> find_group(const std::string& name) const;
+  [[noreturn]] void fail_group(const char* where, const std::string& name) const;
   void set_groups(BodyState& body, const char* where);
+  void change_groups(const std::vector<std::string>& groups);
   void enter(BodyState& body);        // into Bullet's world
   void leave(BodyState& body);        // out of it: contacts end, neighbours wake
   void rebuild(BodyState& body, const Pose& pose);

@@ -35,7 +35,17 @@ std::unique_ptr<btCollisionShape> make_cone(double radius, double height) {
   return cone;
 }
 
-std::unique_ptr<btCollisionShape> make_hull(const std::vector<Vec3>& points) {
+std::vector<Plane> planes_of(const std::vector<Triangle>& faces) {
+  std::vector<Plane> planes;
+  for (const Triangle& face : faces) {
+    const Vec3 normal = normalized(cross(face.b - face.a, face.c - face.a));
+    const bool known = std::any_of(planes.begin(), planes.end(), [&](const Plane& p) { return dot(p.normal, normal) > 1 - 1e-14; });
+    if (!known && !(normal == Vec3{})) planes.push_back({normal, dot(normal, face.a)});
+  }
+  return planes;
+}
+
+void push_hull(ShapeParts& parts, const std::vector<Vec3>& points) {
   const std::vector<Triangle> faces = convex_hull(points);
   if (faces.empty())
     fail("collider: a hull needs at least 4 points that are not in one plane (got ", points.size(), " points)");
@@ -53,7 +63,8 @@ std::unique_ptr<btCollisionShape> make_hull(const std::vector<Vec3>& points) {
   hull->recalcLocalAabb();
   hull->setMargin(margin_of(std::min({half.x, half.y, half.z})));
   hull->initializePolyhedralFeatures();
-  return hull;
+  parts.planes = planes_of(faces);
+  push(parts, std::move(hull));
 }
 
 // A ring of capsules: enough that their line is a circle within 2 % of the tube's diameter, at least 8, at most 96.
@@ -115,14 +126,14 @@ std::unique_ptr<ShapeParts> make_parts(const Shape& shape) {
       break;
     case ShapeKind::cylinder: push(*parts, make_cylinder(shape.radius, shape.height)); break;
     case ShapeKind::cone: push(*parts, make_cone(shape.radius, shape.height)); break;
-    case ShapeKind::pyramid: push(*parts, make_hull(pyramid_points(shape))); break;
+    case ShapeKind::pyramid: push_hull(*parts, pyramid_points(shape)); break;
     case ShapeKind::plane: {
       const double t = plane_thickness(shape);
       push(*parts, make_box({shape.size.x / 2, t / 2, shape.size.z / 2}), {{0, -t / 2, 0}, {}});
       break;
     }
     case ShapeKind::torus: push_torus(*parts, shape); break;
-    case ShapeKind::hull: push(*parts, make_hull(shape.points)); break;
+    case ShapeKind::hull: push_hull(*parts, shape.points); break;
     case ShapeKind::mesh:
     case ShapeKind::height_field: push_mesh(*parts, shape); break;
   }
@@ -140,7 +151,7 @@ ShapeSet::ShapeSet(const BodyDef& def, bool triggers, const Pose& frame) {
       fail("collider: a mesh works on static and kinematic bodies only; give a dynamic one shape = 'hull'");
     const Pose at = back * Pose{collider.offset, normalized(collider.rotation)};
     for (std::size_t i = 0; i < parts.shapes.size(); ++i)
-      pieces_.push_back({parts.shapes[i].get(), to_bullet(at * parts.poses[i]), static_cast<int>(c)});
+      pieces_.push_back({parts.shapes[i].get(), to_bullet(at * parts.poses[i]), static_cast<int>(c), &parts.planes});
   }
   if (pieces_.empty()) return;
 

@@ -8,6 +8,7 @@
 
 #include "physics/body.h"
 #include "physics/bullet/convert.h"
+#include "physics/rays.h"
 
 namespace tumble {
 
@@ -16,6 +17,7 @@ struct Piece {
   const btCollisionShape* shape = nullptr;
   btTransform local;   // in Bullet's frame of the body
   int collider = 0;
+  const std::vector<Plane>* planes = nullptr;  // of a hull
 };
 
 // A single convex shape by itself, for casts and overlaps; several for a torus.
@@ -23,6 +25,7 @@ struct ShapeParts {
   std::vector<std::unique_ptr<btCollisionShape>> shapes;
   std::vector<Pose> poses;                                // of each in the shape's frame
   std::unique_ptr<btTriangleIndexVertexArray> triangles;  // of a mesh
+  std::vector<Plane> planes;                              // of a hull; Bullet's own are off by 1e-4 and welded
   std::vector<btVector3> vertices;
   std::vector<int> indices;
 };

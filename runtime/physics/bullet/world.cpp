@@ -61,35 +61,49 @@ const WorldSettings& World::settings() const { return impl_->settings; }
 void World::configure(const WorldSettings& settings) {
   const bool new_gravity = !(settings.gravity == impl_->settings.gravity);
   const bool new_groups = settings.groups != impl_->settings.groups;
+  if (new_groups) impl_->change_groups(settings.groups);
   impl_->settings = settings;
   impl_->apply_settings();
   if (new_gravity || !settings.sleeping)
     for (BodyState* body : impl_->dynamics) impl_->wake(*body);
-  if (!new_groups) return;
-  impl_->bodies.each([&](BodyId, Body& body) {
-    impl_->set_groups(*body.state, "physics.groups");
-    impl_->refresh_pairs(*body.state);
-  });
+}
+
+// All or nothing: a body may be in a group that is no more.
+void World::Impl::change_groups(const std::vector<std::string>& groups) {
+  const std::vector<std::string> before = std::exchange(settings.groups, groups);
+  const auto set_all = [&] { bodies.each([&](BodyId, Body& body) { set_groups(*body.state, "physics.groups"); }); };
+  try {
+    set_all();
+  } catch (const Error&) {
+    settings.groups = before;
+    set_all();
+    throw;
+  }
+  bodies.each([&](BodyId, Body& body) { refresh_pairs(*body.state); });
 }
 
 std::uint32_t World::group_bit(const std::string& group) const {
-  if (group.empty()) return 1;
-  const auto& names = impl_->settings.groups;
-  const auto at = std::find(names.begin(), names.end(), group);
-  if (at != names.end()) return 2u << (at - names.begin());
-  if (group == "default") return 1;
-  const std::string known = names.empty() ? "none is listed in physics.groups" : "the groups are " + join(names);
-  fail("no collision group '", group, "'; ", known, did_you_mean(group, names));
+  if (const auto bit = impl_->find_group(group)) return *bit;
+  impl_->fail_group("physics", group);
+}
+
+std::optional<std::uint32_t> World::Impl::find_group(const std::string& name) const {
+  const auto at = std::find(settings.groups.begin(), settings.groups.end(), name);
+  if (at != settings.groups.end()) return 2u << (at - settings.groups.begin());
+  if (name.empty() || name == "default") return 1;
+  return {};
+}
+
+void World::Impl::fail_group(const char* where, const std::string& name) const {
+  fail(where, ": no collision group '", name, "'; ",
+       settings.groups.empty() ? "list it in physics.groups" : "the groups are " + join(settings.groups),
+       did_you_mean(name, settings.groups));
 }
 
 void World::Impl::set_groups(BodyState& body, const char* where) {
   const auto bit = [&](const std::string& name) -> std::uint32_t {
-    if (name.empty() || (name == "default" && std::count(settings.groups.begin(), settings.groups.end(), name) == 0)) return 1;
-    const auto at = std::find(settings.groups.begin(), settings.groups.end(), name);
-    if (at != settings.groups.end()) return 2u << (at - settings.groups.begin());
-    fail(where, ": no collision group '", name, "'; ",
-         settings.groups.empty() ? "list it in physics.groups" : "the groups are " + join(settings.groups),
-         did_you_mean(name, settings.groups));
+    if (const auto found = find_group(name)) return *found;
+    fail_group(where, name);
   };
   const std::uint32_t group = bit(body.def.group);
   std::uint32_t mask = body.def.collides_with.empty() ? ~0u : 0;

@@ -1,7 +1,6 @@
 // Rays, casts and overlaps.
 #include <algorithm>
 
-#include <BulletCollision/CollisionShapes/btConvexPolyhedron.h>
 #include <BulletCollision/CollisionShapes/btTriangleShape.h>
 
 #include "physics/bullet/closest.h"
@@ -64,16 +63,6 @@ std::vector<const btCollisionObject*> within_box(btDbvtBroadphase& broadphase, c
   return gather.found;
 }
 
-std::vector<Plane> planes_of(const btConvexHullShape& hull) {
-  std::vector<Plane> planes;
-  const btConvexPolyhedron& solid = *hull.getConvexPolyhedron();
-  for (int i = 0; i < solid.m_faces.size(); ++i) {
-    const btScalar* plane = solid.m_faces[i].m_plane;
-    planes.push_back({{plane[0], plane[1], plane[2]}, -plane[3]});
-  }
-  return planes;
-}
-
 struct NearestTriangle final : btTriangleCallback {
   explicit NearestTriangle(const Ray& given) : ray(given) {}
   void processTriangle(btVector3* t, int, int) override {
@@ -85,7 +74,8 @@ struct NearestTriangle final : btTriangleCallback {
 };
 
 // In the piece's own frame.
-std::optional<RayHit> ray_piece(const btCollisionShape& shape, const Ray& ray, double length) {
+std::optional<RayHit> ray_piece(const Piece& piece, const Ray& ray, double length) {
+  const btCollisionShape& shape = *piece.shape;
   switch (shape.getShapeType()) {
     case SPHERE_SHAPE_PROXYTYPE: return ray_sphere(ray, static_cast<const btSphereShape&>(shape).getRadius());
     case BOX_SHAPE_PROXYTYPE: return ray_box(ray, from_bullet(static_cast<const btBoxShape&>(shape).getHalfExtentsWithMargin()));
@@ -101,7 +91,7 @@ std::optional<RayHit> ray_piece(const btCollisionShape& shape, const Ray& ray, d
       const auto& cone = static_cast<const btConeShape&>(shape);
       return ray_cone(ray, cone.getRadius(), cone.getHeight());
     }
-    case CONVEX_HULL_SHAPE_PROXYTYPE: return ray_planes(ray, planes_of(static_cast<const btConvexHullShape&>(shape)));
+    case CONVEX_HULL_SHAPE_PROXYTYPE: return ray_planes(ray, *piece.planes);
     default: break;
   }
   NearestTriangle nearest(ray);
@@ -116,7 +106,7 @@ std::optional<QueryHit> ray_object(const btCollisionObject* object, const Ray& r
     const Pose pose = from_bullet(object->getWorldTransform()) * from_bullet(piece.local);
     const Pose back = inverse(pose);
     const Ray local{conjugate(pose.rotation) * (ray.origin - pose.position), back.rotation * ray.direction};
-    const auto hit = ray_piece(*piece.shape, local, length);
+    const auto hit = ray_piece(piece, local, length);
     if (!hit || hit->distance > length || (best && hit->distance >= best->distance)) continue;
     best = QueryHit{state_of(object)->id, piece.collider, ray.origin + ray.direction * hit->distance,
                     hit->inside ? -ray.direction : pose.rotation * hit->normal, hit->distance, hit->inside};
