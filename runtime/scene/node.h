@@ -62,7 +62,7 @@ void describe(Camera& camera, Schema& s);
 enum class Origin : std::uint8_t { declared, loaded, added };
 
 struct SceneNode {
-  std::string name;
+  std::string name;                     // may be empty; without '/'
   std::string id;                       // lasting, unique in the scene
   bool given_id = false;                // by the author; one that we made yields to an equal one from a file
   std::vector<std::string> tags;

@@ -5,10 +5,19 @@
 
 namespace tumble {
 
+namespace {
+
+void check_name(const std::string& name) {
+  if (name.find('/') != name.npos) fail("name '", name, "' must not contain '/', which parts the names in a path");
+}
+
+}  // namespace
+
 Scene::Scene() { root_ = add("root", {}, "root"); }
 
 NodeId Scene::add(const std::string& name, NodeId parent, const std::string& id, NodeId handle, std::uint64_t serial) {
   if (!parent) parent = root_;  // none yet, for the root itself
+  check_name(name);
   claim_id({}, id);
 
   SceneNode node;
@@ -64,6 +73,7 @@ void Scene::sort_children(NodeId id) {
 }
 
 void Scene::rename(NodeId node, const std::string& name) {
+  check_name(name);
   unlist_name(node);
   pool_[node].name = name;
   list_name(node);

@@ -74,6 +74,12 @@ TEST_CASE("scene: a renamed node is found under its new name only", "[scene]") {
   CHECK_FALSE(scene.find("lamp"));
 }
 
+TEST_CASE("scene: a name may not look like a path", "[scene]") {
+  Scene scene;
+
+  CHECK_THROWS_WITH(scene.add("a/b"), "name 'a/b' must not contain '/', which parts the names in a path");
+}
+
 TEST_CASE("scene: a node without a name goes by its id", "[scene]") {
   Scene scene;
   const NodeId node = scene.add("", {}, "crate7");
