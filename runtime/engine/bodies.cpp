@@ -21,6 +21,12 @@ void check_groups(const BodyDef& def, std::vector<std::string> known, const std:
   for (const std::string& group : def.collides_with) check("collides_with", group);
 }
 
+// Only a world can tell whether such a shape can be built.
+bool is_made_of_points(const ColliderDef& collider) {
+  const ShapeKind kind = collider.shape.shape;
+  return kind == ShapeKind::hull || kind == ShapeKind::mesh || kind == ShapeKind::height_field;
+}
+
 }  // namespace
 
 BodyComponent* Engine::body(NodeId node) {
@@ -48,7 +54,10 @@ BodyDef Engine::body_def(NodeId node) const {
 // As the world gets it; throws where that is not possible, before anything is changed.
 BodyDef Engine::physical(NodeId node, const BodyDef& def, const std::string& call) const {
   check_groups(def, settings.physics.groups, call);
-  return fitted(def, scene[node].mesh, scene.world(node).scale, call);
+  BodyDef physical = fitted(def, scene[node].mesh, scene.world(node).scale, call);
+  if (!with_world_ && std::any_of(physical.colliders.begin(), physical.colliders.end(), is_made_of_points))
+    worded(call, [&] { World(settings.physics).add(physical, {}, 0); });
+  return physical;
 }
 
 void Engine::set_body(NodeId node, const std::optional<BodyDef>& def, const std::string& call) {
@@ -67,8 +76,9 @@ void Engine::make_body(NodeId node, const BodyDef& def, const std::string& call)
   component->scale = place.scale;
   component->placed = {place.position, place.rotation};
   if (with_world_) {
-    if (!world_) world_ = std::make_unique<World>(settings.physics);
-    component->id = world_->add(physical, component->placed, pack(node));
+    auto first = world_ ? nullptr : std::make_unique<World>(settings.physics);
+    worded(call, [&] { component->id = (first ? *first : *world_).add(physical, component->placed, pack(node)); });
+    if (first) world_ = std::move(first);
     if (!scene.enabled_in_tree(node)) world_->set_enabled(component->id, false);
   }
   private_->extra(node).body = std::move(component);
@@ -81,7 +91,7 @@ void Engine::make_body(NodeId node, const BodyDef& def, const std::string& call)
 void Engine::change_body(NodeId node, const BodyDef& def, const std::string& call) {
   const BodyDef physical = this->physical(node, def, call);
   BodyComponent& component = *body(node);
-  if (component.id) world_->configure(component.id, physical);
+  if (component.id) worded(call, [&] { world_->configure(component.id, physical); });
   const bool new_type = component.def.type != def.type;
   component.def = def;
   component.scale = scene.world(node).scale;

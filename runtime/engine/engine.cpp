@@ -29,16 +29,16 @@ NodeId Engine::add(const NodeDef& def, NodeId parent, Origin origin, const std::
   const std::uint64_t first_joint = private_->next_joint_serial;
   const std::size_t siblings = scene[parent].children.size();
   try {
-    top = add_nodes(def, parent, origin, handle);
-    add_bodies(def, top, call);  // after all transforms, since a body owns its world pose from then on
-    add_joints(def, top, top, origin, call);
-  } catch (const Error& error) {
+    worded(call, [&] {
+      top = add_nodes(def, parent, origin, handle);
+      add_bodies(def, top, call);  // after all transforms, since a body owns its world pose from then on
+      add_joints(def, top, top, origin, call);
+    });
+  } catch (const Error&) {
     std::erase_if(private_->first_joints, [&](const auto& first) { return first.second.serial >= first_joint; });
     if (scene[parent].children.size() > siblings)
       discard(scene[parent].children.back(), [handle](NodeId node) { return node == handle; });
-    const std::string text = error.what();
-    if (text.starts_with(call)) throw;
-    fail(call, ": ", text);
+    throw;
   }
   if (origin != Origin::added) remember(def, top);
   return top;
@@ -116,6 +116,7 @@ std::vector<NodeId> Engine::finish_removals() {
   // A node may stand here below another that goes too, whose removal took it along.
   for (const NodeId top : std::exchange(dying_, {}))
     if (scene.get(top)) remove_now(top);
+  if (!scene.get(scene_root)) scene_root = scene.root();
   return std::exchange(gone_, {});
 }
 

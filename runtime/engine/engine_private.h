@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "base/error.h"
 #include "engine/engine.h"
 
 namespace tumble {
@@ -38,6 +39,18 @@ struct Engine::Private {
   std::vector<NodeId> first_nodes_by_age() const;
   const Extra* find(NodeId node) const { return node.index < extras.size() ? &extras[node.index] : nullptr; }
 };
+
+// Runs what may throw; its errors then begin with the call that the author wrote.
+template <class F>
+void worded(const std::string& call, F&& f) {
+  try {
+    f();
+  } catch (const Error& error) {
+    const std::string text = error.what();
+    if (text.starts_with(call)) throw;
+    fail(call, ": ", text);
+  }
+}
 
 // Handles as the world's user numbers.
 template <class T>

@@ -15,11 +15,11 @@ NodeId Engine::load(const NodeDef& def, const std::string& name) {
   return scene_root;
 }
 
-// Tries it in an engine without a world, beside the ids that stay, so that a scene with a mistake changes nothing.
+// Tries it in an engine without a world, beside the nodes that stay, so that a scene with a mistake changes nothing.
 void Engine::check_load(const NodeDef& def) const {
   Engine trial(settings, false);
   scene.each(scene.root(), [&](NodeId, const SceneNode& node) {
-    if (node.origin == Origin::declared && node.given_id && node.id != "root") trial.scene.add(node.name, {}, node.id);
+    if (node.parent && node.origin == Origin::declared) trial.scene.add(node.name, {}, node.given_id ? node.id : "");
   });
   trial.add(def, trial.scene.root(), Origin::added, "scene.load");
 }

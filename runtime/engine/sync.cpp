@@ -68,6 +68,8 @@ void Engine::set_enabled(NodeId node, bool enabled) {
 
 void Engine::set_parent(NodeId node, NodeId parent) {
   if (!parent) parent = scene.root();
+  if (node == scene.root()) fail("node.parent: the root of all nodes has no parent; move its children");
+  if (!alive(parent)) fail("node.parent: the new parent was destroyed; choose a node that is alive");
   scene.set_parent(node, parent, true);
   refresh_enabled(node);
   scene.each(node, [this](NodeId below, SceneNode&) {

@@ -59,6 +59,17 @@ TEST_CASE("body: without a mesh or colliders it is refused with the way out", "[
   CHECK(game.world() == nullptr);
 }
 
+TEST_CASE("body: a shape that cannot be built is refused with and without a world, and leaves nothing", "[engine]") {
+  const Map flat{{"body", Map{{"colliders", Map{{"shape", "hull"}, {"points", List{Vec3{}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}}}}}}};
+
+  for (const bool with_world : {true, false}) {
+    Game game({}, with_world);
+    CHECK_THROWS_WITH(game.make(flat), Catch::StartsWith("scene.add: collider: a hull needs at least 4 points"));
+    CHECK(game.world() == nullptr);
+    CHECK(game.scene.size() == 1);
+  }
+}
+
 TEST_CASE("body: unknown groups are refused with the nearest", "[engine]") {
   GameSettings settings;
   settings.physics.groups = {"player", "enemy"};

@@ -102,7 +102,7 @@ TEST_CASE("joint: it waits until both bodies are there, and works from then on",
   CHECK(game.place(lamp).y < -3);
 }
 
-TEST_CASE("joint: a fields is set live, and a wrong one changes nothing", "[engine]") {
+TEST_CASE("joint: a field is set live, and a wrong one changes nothing", "[engine]") {
   DoorGame game;
   const JointRef joint = game.tie("hinge", game.door, game.post, {{"world_anchor", Vec3{}}, {"motor", Map{{"target", 0}}}});
 

@@ -53,6 +53,17 @@ TEST_CASE("load: a scene with a mistake changes nothing", "[engine]") {
   CHECK(game.scene.find_id("C1"));
 }
 
+TEST_CASE("load: a file's joint may name a declared node", "[engine]") {
+  Game game;
+  const NodeId post = game.declare({{"name", "post"}, {"mesh", "box"}, {"body", "static"}});
+  NodeDef one = level("one");
+  one.children[0].joints.push_back(Map{{"type", "fixed"}, {"name", "tie"}, {"b", "post"}});
+
+  game.load(one, "one");
+
+  CHECK(game.joint(game.find_joint(post, "tie"))->id);
+}
+
 TEST_CASE("load: loaded nodes restart, those of the scene before do not come back", "[engine]") {
   Game game;
   game.load(level("one"), "one");

@@ -174,6 +174,16 @@ TEST_CASE("sync: world positions and rotations are written through the parent", 
   CHECK(distance(game.scene.world(child).rotation * Vec3{0, 0, -1}, {0, 0, -1}) < 1e-12);
 }
 
+TEST_CASE("sync: a parent must be alive, and the root has none", "[engine]") {
+  Game game;
+  const NodeId wall = game.make(box("wall", {}, "static"));
+  const NodeId gone = game.make({{"name", "gone"}});
+  game.destroy(gone);
+
+  CHECK_THROWS_AS(game.set_parent(wall, gone), Error);
+  CHECK_THROWS_AS(game.set_parent(game.scene.root(), wall), Error);
+}
+
 TEST_CASE("sync: a new parent leaves a node and its body where they are", "[engine]") {
   Game game;
   const NodeId parent = game.make({{"position", Vec3{7, 0, 0}}});
