@@ -22,7 +22,8 @@ enum class Combine { average, min, max, multiply };
 const EnumNames& enum_names(BodyType);
 const EnumNames& enum_names(Combine);
 
-// One shape of a body. What it leaves open holds as the body says.
+// One shape of a body. What it leaves open holds as the body says. A mesh or height_field takes its triangles from
+// `points`, three each, and works on static and kinematic bodies; a plane is a box of up to 0.1 m below its surface.
 struct ColliderDef {
   Shape shape;                        // its fields are the collider's own fields: { shape = "box", size = ... }
   Vec3 offset;                        // in the body's frame, m
@@ -54,7 +55,7 @@ struct BodyDef {
   bool trigger = false;
   std::optional<bool> continuous;     // not given: by speed
   bool can_sleep = true;
-  Vec3 surface_velocity;              // of its surface against itself, as of a conveyor belt, m/s
+  Vec3 surface_velocity;              // of its surface against itself, in its own frame, as of a conveyor belt, m/s
   std::vector<ColliderDef> colliders;
 };
 void describe(BodyDef& body, Schema& s);

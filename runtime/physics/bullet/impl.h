@@ -28,7 +28,7 @@ struct World::Impl {
   btDbvtBroadphase broadphase;
   btSequentialImpulseConstraintSolver solver;
   PairFilter filter;
-  StepWorld bullet{&dispatcher, &broadphase, &solver, &configuration};
+  StepWorld bullet{dispatcher, broadphase, solver, configuration};
   btRigidBody ground{btRigidBody::btRigidBodyConstructionInfo(0, nullptr, nullptr)};  // the world, as a joint's partner
 
   Pool<Body> bodies;

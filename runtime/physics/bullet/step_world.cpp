@@ -2,6 +2,8 @@
 
 #include "physics/bullet/joint_part.h"
 
+#include <BulletCollision/CollisionDispatch/btSimulationIslandManager.h>
+
 namespace tumble {
 
 namespace {
@@ -14,7 +16,55 @@ bool joined_apart(const BodyState& a, const BodyState& b) {
   return false;
 }
 
+// Bullet's islands, without a look at what is static: thousands of static bodies cost nothing.
+class Islands final : public btSimulationIslandManager {
+ public:
+  explicit Islands(const StepWorld& world) : world_(world) {}
+
+  void updateActivationState(btCollisionWorld* world, btDispatcher* dispatcher) override {
+    int index = 0;
+    for (int i = 0; i < world_.movable().size(); ++i) {
+      btRigidBody* body = world_.movable()[i];
+      if (!body->isStaticOrKinematicObject()) body->setIslandTag(index++);
+      body->setCompanionId(-1);
+    }
+    initUnionFind(index);
+    findUnions(dispatcher, world);
+  }
+
+  void storeIslandActivationState(btCollisionWorld*) override {
+    int index = 0;
+    for (int i = 0; i < world_.movable().size(); ++i) {
+      btRigidBody* body = world_.movable()[i];
+      if (body->isStaticOrKinematicObject()) continue;
+      body->setIslandTag(getUnionFind().find(index));
+      getUnionFind().getElement(index).m_sz = body->getWorldArrayIndex();
+      ++index;
+    }
+  }
+
+ private:
+  const StepWorld& world_;
+};
+
 }  // namespace
+
+StepWorld::StepWorld(btDispatcher& dispatcher, btBroadphaseInterface& broadphase, btSequentialImpulseConstraintSolver& solver,
+                     btCollisionConfiguration& configuration)
+    : btDiscreteDynamicsWorld(&dispatcher, &broadphase, &solver, &configuration) {
+  solver.setRandSeed(0);  // a world does not depend on those before it
+  // Bullet frees what is there with its own allocator.
+  m_islandManager->~btSimulationIslandManager();
+  btAlignedFree(m_islandManager);
+  m_islandManager = new (btAlignedAlloc(sizeof(Islands), 16)) Islands(*this);
+}
+
+void StepWorld::updateAabbs() {
+  for (int i = 0; i < m_nonStaticRigidBodies.size(); ++i)
+    if (m_nonStaticRigidBodies[i]->isActive()) updateSingleAabb(m_nonStaticRigidBodies[i]);
+  for (btCollisionObject* ghost : ghosts)
+    if (ghost->isActive()) updateSingleAabb(ghost);
+}
 
 bool PairFilter::needBroadphaseCollision(btBroadphaseProxy* proxy_a, btBroadphaseProxy* proxy_b) const {
   const auto *object_a = static_cast<const btCollisionObject*>(proxy_a->m_clientObject);
@@ -30,7 +80,10 @@ bool PairFilter::needBroadphaseCollision(btBroadphaseProxy* proxy_a, btBroadphas
 }
 
 void StepWorld::substep(double h) {
-  predictUnconstraintMotion(h);
+  for (int i = 0; i < m_nonStaticRigidBodies.size(); ++i) {
+    btRigidBody& body = *m_nonStaticRigidBodies[i];
+    if (body.isActive() && !body.isKinematicObject()) body.predictIntegratedTransform(h, body.getInterpolationWorldTransform());
+  }
   getDispatchInfo().m_timeStep = h;
   getDispatchInfo().m_stepCount = 0;
   createPredictiveContacts(h);

@@ -13,13 +13,17 @@ class PairFilter final : public btOverlapFilterCallback {
 
 class StepWorld final : public btDiscreteDynamicsWorld {
  public:
-  using btDiscreteDynamicsWorld::btDiscreteDynamicsWorld;
+  StepWorld(btDispatcher& dispatcher, btBroadphaseInterface& broadphase, btSequentialImpulseConstraintSolver& solver,
+            btCollisionConfiguration& configuration);
 
   void substep(double h);
   // After the contacts of a substep were read.
   void end_substep() { bounce_.forget(); }
-  // The solver's randomness starts anew, so that a world does not depend on those before it.
-  void seed() { static_cast<btSequentialImpulseConstraintSolver*>(getConstraintSolver())->setRandSeed(0); }
+  // Boxes of what may have moved; Bullet's own looks at everything.
+  void updateAabbs() override;
+  const btAlignedObjectArray<btRigidBody*>& movable() const { return m_nonStaticRigidBodies; }
+
+  std::vector<btCollisionObject*> ghosts;  // that are in the world
 
  private:
   Bounce bounce_;

@@ -29,12 +29,10 @@ struct WakeAll final : btBroadphaseAabbCallback {
 World::Impl::Impl(const WorldSettings& given) : settings(given) {
   install_material_callbacks();
   broadphase.getOverlappingPairCache()->setOverlapFilterCallback(&filter);
-  bullet.setForceUpdateAllAabbs(false);
   bullet.setGravity({0, 0, 0});
   bullet.getSolverInfo().m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS | SOLVER_ENABLE_FRICTION_DIRECTION_CACHING;
   // Deeper overlaps than this are pushed apart without giving speed, m. At 0 towers lean; at Bullet's 0.04 a box hops.
   bullet.getSolverInfo().m_splitImpulsePenetrationThreshold = -0.01;
-  bullet.seed();
   apply_settings();
 }
 
@@ -142,7 +140,10 @@ std::uint64_t World::user(BodyId body) const { return impl_->body(body).user; }
 
 void World::Impl::enter(BodyState& body) {
   bullet.addRigidBody(body.rigid.get(), 1, -1);  // who meets whom is PairFilter's business
-  if (body.ghost) bullet.addCollisionObject(body.ghost.get(), 1, -1);
+  if (body.ghost) {
+    bullet.addCollisionObject(body.ghost.get(), 1, -1);
+    bullet.ghosts.push_back(body.ghost.get());
+  }
   body.enabled = true;
   body.still_seconds = 0;
   body.was_asleep = false;
@@ -159,7 +160,10 @@ void World::Impl::enter(BodyState& body) {
 void World::Impl::leave(BodyState& body) {
   wake_touching(body);
   book.end_pairs(body, events);
-  if (body.ghost) bullet.removeCollisionObject(body.ghost.get());
+  if (body.ghost) {
+    bullet.removeCollisionObject(body.ghost.get());
+    std::erase(bullet.ghosts, body.ghost.get());
+  }
   bullet.removeRigidBody(body.rigid.get());
   body.enabled = false;
   body.moving = false;
