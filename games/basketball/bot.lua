@@ -1,0 +1,37 @@
+-- Plays a round with the pointer, as a person would: it may look at everything and move nothing but the controls.
+
+-- How far to pull, to the right and back, so that the ball comes down at a place.
+local function pull_to(place, ball)
+  local way = place - ball.home
+  local distance, lift = way:with_y(0):length(), math.rad(ball.lift_degrees)
+  -- The parabola's height there is d tan(lift) - g d^2 / (2 v^2 cos^2(lift)): solved for v.
+  local speed = distance / math.cos(lift) * math.sqrt(-physics.gravity.y / 2 / (distance * math.tan(lift) - way.y))
+  local turn = math.atan(-way.x, -way.z)
+  return turn / math.rad(ball.widest_degrees) * ball.full_pull,
+    (speed - ball.slowest) / (ball.fastest - ball.slowest) * ball.full_pull
+end
+
+local function throw_at(place, ball)
+  local right, back = pull_to(place, ball)
+  point_at(640, 380)
+  press("pointer")
+  point_at(640 + right, 380 + back, 0.5)   -- goes there in half a second
+  release("pointer")
+  wait(0.1)
+end
+
+return function()
+  wait(1)
+  tap("start")
+  wait(0.1)
+  local targets = { "hoop", "hoop", "plate 1", "hoop", "plate 2", "hoop", "plate 3" }
+  local n = 0
+  while not game.is_finished do
+    local ball = scene.get("ball").behaviours.ball
+    if ball.enabled and ball.state == "held" then
+      n = n % #targets + 1
+      throw_at(scene.get(targets[n]).world_position, ball)
+    end
+    wait(0.1)
+  end
+end
