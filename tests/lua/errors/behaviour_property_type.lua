@@ -1,0 +1,2 @@
+-- expect: behaviours.parts/slime.speed: number expected, got "fast"
+scene.add { behaviours = { ["parts/slime"] = { speed = "fast" } } }

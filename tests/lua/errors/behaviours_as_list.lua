@@ -1,0 +1,2 @@
+-- expect: behaviours: a table by name expected
+scene.add { behaviours = { "parts/slime" } }

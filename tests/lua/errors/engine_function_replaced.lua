@@ -1,0 +1,2 @@
+-- expect: scene.add is a function of the engine and cannot be replaced
+function start() scene.add = nil end

@@ -1,0 +1,2 @@
+-- expect: scene.add: a function cannot be stored
+scene.add { name = "ball", color = function() end }

@@ -1,0 +1,3 @@
+-- expect: scene.get: no node 'bal'; did you mean 'ball'?
+scene.add { name = "ball" }
+function start() scene.get("bal") end

@@ -1,0 +1,2 @@
+-- expect: put it in start()
+pcall(game.finish)

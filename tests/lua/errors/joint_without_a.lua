@@ -1,0 +1,2 @@
+-- expect: joint.hinge: a: node expected, got nil
+joint.hinge { axis = vec3.up }

@@ -1,0 +1,2 @@
+-- expect: no scene 'levels/one'
+function start() scene.load("levels/one") end

@@ -1,0 +1,2 @@
+-- expect: this table's metatable is locked
+setmetatable(scene, {})

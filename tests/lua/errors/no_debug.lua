@@ -1,0 +1,2 @@
+-- expect: unknown name 'debug'
+debug.getinfo(1)

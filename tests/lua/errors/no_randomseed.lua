@@ -1,0 +1,2 @@
+-- expect: math has no 'randomseed'
+math.randomseed(3)

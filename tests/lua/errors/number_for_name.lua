@@ -1,0 +1,2 @@
+-- expect: scene.add: name: string expected, got 7
+scene.add { name = 7 }

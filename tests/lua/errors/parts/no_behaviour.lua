@@ -1,0 +1,2 @@
+-- A file that is no behaviour.
+return { speed = 2 }

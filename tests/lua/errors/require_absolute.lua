@@ -1,0 +1,2 @@
+-- expect: require: '/etc/passwd' is outside the game
+require "/etc/passwd"

@@ -1,0 +1,2 @@
+-- expect: require: '../secret' is outside the game
+require "../secret"

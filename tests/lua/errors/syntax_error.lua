@@ -1,0 +1,2 @@
+-- expect: 'then' expected near 'print'
+if 1 < 2 print("small") end

@@ -1,0 +1,2 @@
+-- expect: input.bind: 
+function start() input.bind("jump", { "spcae" }) end

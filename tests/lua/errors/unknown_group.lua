@@ -1,0 +1,2 @@
+-- expect: scene.add: body.group: unknown group 'balls'
+scene.add { mesh = "sphere", body = { group = "balls" } }

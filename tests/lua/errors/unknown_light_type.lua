@@ -1,0 +1,2 @@
+-- expect: scene.add: light.type: unknown 'spott'; expected one of sun, point, spot; did you mean 'spot'?
+scene.add { light = "spott" }

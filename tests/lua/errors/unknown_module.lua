@@ -1,0 +1,2 @@
+-- expect: unknown name 'sceen'; did you mean 'scene'?
+sceen.add { name = "ball" }

@@ -1,0 +1,2 @@
+-- expect: scene has no 'ad'; did you mean 'add'?
+scene.ad { name = "ball" }

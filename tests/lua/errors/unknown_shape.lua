@@ -1,0 +1,2 @@
+-- expect: unknown 'spere'; expected one of
+scene.add { mesh = "spere" }

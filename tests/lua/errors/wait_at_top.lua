@@ -1,0 +1,2 @@
+-- expect: wait: works only in a task
+wait(1)

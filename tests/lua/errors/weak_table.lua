@@ -1,0 +1,2 @@
+-- expect: setmetatable: __mode is not available
+setmetatable({}, { __mode = "k" })

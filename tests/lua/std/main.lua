@@ -1,0 +1,1 @@
+-- An empty game: the tests build what they need.
