@@ -1,0 +1,143 @@
+-- What the level promises to whoever plays it.
+local function begin()
+  wait(0.2)
+  tap("start", 0.05)
+  wait(0.3)
+  local player = scene.get("player")
+  return player, player.behaviours.character, player.behaviours.player
+end
+
+-- To a standing place on top of a node's middle.
+local function put_on(player, name, top)
+  player:teleport(scene.get(name).world_position + vec3.up * (top + 0.9))
+  player.behaviours.character:stop()
+  wait(0.2)
+end
+
+test("nothing happens before it is started, and without input it is not finished", function()
+  wait(20)
+  expect(game.is_finished):equals(false)
+  expect(game.report.score):equals(900)
+  expect(game.report.seconds):equals(0)
+end)
+
+test("started and left alone, it is not finished either", function()
+  begin()
+  wait(30)
+  expect(game.is_finished):equals(false)
+  expect(game.report.coins):equals(0)
+  expect(game.report.falls):equals(0)
+end)
+
+test("there are at least eight coins, a checkpoint and one goal", function()
+  expect(#scene.tagged("coin")):above(7)
+  expect(#scene.tagged("checkpoint")):above(0)
+  expect(#scene.tagged("goal")):equals(1)
+end)
+
+test("a coin is counted once and gone", function()
+  local player = begin()
+  local coin = scene.get("coin 1")
+  local score = game.report.score
+  player:teleport(coin.world_position)
+  wait(0.5)
+  expect(coin.is_alive):equals(false)
+  expect(game.report.coins):equals(1)
+  expect(game.report.score):above(score)
+end)
+
+test("the ferry carries a standing player across", function()
+  local player, character = begin()
+  local ferry = scene.get("ferry")
+  put_on(player, "ferry", 0.15)
+  local foothold = ferry:to_local(player.position)
+  local from, far = ferry.position, 0
+  for _ = 1, 60 * 12 do
+    wait(0)
+    far = math.max(far, ferry.position:distance(from))
+    expect(ferry:to_local(player.position)):near(foothold, 0.01)
+  end
+  expect(far):above(6)
+  expect(character.is_grounded):equals(true)
+end)
+
+test("the wheel carries a standing player round", function()
+  local player = begin()
+  local wheel = scene.get("wheel")
+  put_on(player, "wheel", 0.15)
+  player.position = player.position + vec3(1, 0, 0)
+  wait(0.1)
+  local foothold = wheel:to_local(player.position)
+  wait(5)
+  expect(wheel:to_local(player.position)):near(foothold, 0.01)
+end)
+
+test("who falls comes back to the start", function()
+  local player, _, steering = begin()
+  player:teleport(vec3(30, 0, 30))
+  wait_until(function() return game.report.falls == 1 end, 5)
+  wait(1)
+  expect(player.position):near(steering.home, 0.2)
+end)
+
+test("after a checkpoint, who falls comes back to it", function()
+  local player = begin()
+  local checkpoint = scene.get("checkpoint 1")
+  player:teleport(checkpoint.world_position + vec3.up)
+  wait(0.5)
+  player:teleport(vec3(30, 0, 30))
+  wait_until(function() return game.report.falls == 1 end, 5)
+  wait(1)
+  expect(player.position:with_y(0)):near(checkpoint.world_position:with_y(0), 0.2)
+  expect(player.behaviours.character.is_grounded):equals(true)
+end)
+
+test("spikes hurt", function()
+  local player, _, steering = begin()
+  put_on(player, "spikes 1", 0.1)
+  wait(0.5)
+  expect(game.report.falls):equals(1)
+  expect(player.position):near(steering.home, 0.2)
+end)
+
+test("in no tick does anyone move farther than the speed allows", function()
+  local player, character, steering = begin()
+  local last, falls, farthest = player.position, 0, 0
+  local most = math.max(steering.speed, 13) * time.tick_seconds        -- m; 13 m/s is the fall into the sea
+  local keys = { "forward", "left", "back", "right" }
+  for i = 1, 60 * 20 do
+    if i % 40 == 1 then
+      for _, key in ipairs(keys) do release(key) end
+      press(keys[i // 40 % 4 + 1])
+      press(keys[i // 80 % 4 + 1])
+      tap("jump", 0.3)
+    end
+    wait(0)
+    if game.report.falls == falls then farthest = math.max(farthest, (player.position - last):with_y(0):length()) end
+    if game.report.falls == falls then expect(player.position:distance(last)):below(most + 0.36) end   -- and a step up
+    falls, last = game.report.falls, player.position
+  end
+  expect(farthest):below(steering.speed * time.tick_seconds + 1e-6)
+end)
+
+test("the goal finishes the game", function()
+  local player = begin()
+  player:teleport(scene.get("goal").world_position + vec3.up)
+  wait(0.2)
+  expect(game.is_finished):equals(true)
+end)
+
+test("a pause holds the player and the clock", function()
+  local player = begin()
+  press("forward")
+  wait(0.3)
+  tap("pause", 0.05)
+  wait(0.1)
+  local place, seconds = player.position, game.report.seconds
+  wait(1)
+  expect(player.position):equals(place)
+  expect(game.report.seconds):equals(seconds)
+  tap("pause", 0.05)
+  wait(0.5)
+  expect(player.position.z):below(place.z)
+end)
