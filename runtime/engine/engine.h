@@ -29,7 +29,8 @@ struct BodyComponent {
   Pose placed;          // where its node was when the world was told last; not kept up for dynamic ones
   bool wants_stay = false;            // write through Engine::want_stay
   std::uint64_t written_tick = 0;     // of a static body: when it was moved last,
-  int writes_in_a_row = 0;            // and in how many ticks without a gap
+  int writes_in_a_row = 0;            // in how many ticks without a gap,
+  bool hinted = false;                // and was the author told
 };
 
 // A joint as scripts see it: it is there from creation to destroy(), its JointId only while both bodies exist.

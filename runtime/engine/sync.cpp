@@ -1,5 +1,7 @@
 // The one place where scene and physics meet: what scripts write to transforms, and what a step moves.
 
+#include <utility>
+
 #include "engine/engine_private.h"
 
 namespace tumble {
@@ -101,9 +103,9 @@ void Engine::note_static_write(NodeId node, BodyComponent& body) const {
   if (body.written_tick == tick) return;
   body.writes_in_a_row = body.written_tick + 1 == tick ? body.writes_in_a_row + 1 : 1;
   body.written_tick = tick;
-  if (body.writes_in_a_row == kWritesUntilHint)
-    warn("node '" + scene.path(node) + "': its static body has been moved in " + std::to_string(kWritesUntilHint) +
-         " ticks in a row; with body = \"kinematic\" it pushes and carries what it touches");
+  if (body.writes_in_a_row < kWritesUntilHint || std::exchange(body.hinted, true)) return;
+  warn("node '" + scene.path(node) + "': its static body has been moved in " + std::to_string(kWritesUntilHint) +
+       " ticks in a row; with body = \"kinematic\" it pushes and carries what it touches");
 }
 
 // ---- the step

@@ -1,11 +1,11 @@
 #include "engine/engine.h"
 
-#include "test_engine_game.h"
+#include "test_engine_support.h"
 
 using namespace tumble;
 
 TEST_CASE("engine: a node has what its def says, children included", "[engine]") {
-  Game game;
+  PlainGame game;
 
   const NodeId tower = game.make({{"name", "tower"}, {"position", Vec3{1, 2, 3}}, {"tags", "tall"}, {"mesh", "cylinder"}, {"color", "red"},
                                   {"children", List{Map{{"name", "flag"}, {"position", Vec3{0, 2, 0}}, {"visible", false}}}}});
@@ -20,7 +20,7 @@ TEST_CASE("engine: a node has what its def says, children included", "[engine]")
 }
 
 TEST_CASE("engine: there is no world before the first body", "[engine]") {
-  Game game;
+  PlainGame game;
   game.make({{"mesh", "box"}});
   game.run(3);
 
@@ -30,7 +30,7 @@ TEST_CASE("engine: there is no world before the first body", "[engine]") {
 }
 
 TEST_CASE("engine: an engine without a world describes bodies and joints, and checks them", "[engine]") {
-  Game staging({}, false);
+  PlainGame staging({}, false);
   const NodeId box = staging.make({{"mesh", "box"}, {"body", Map{{"mass", 3}}}});
   staging.tie("hinge", box, {});
   staging.run(2);
@@ -42,11 +42,11 @@ TEST_CASE("engine: an engine without a world describes bodies and joints, and ch
 }
 
 TEST_CASE("engine: a mistake anywhere in a tree of nodes adds nothing", "[engine]") {
-  Game game;
+  PlainGame game;
   const NodeId frame = game.make({{"name", "frame"}, {"mesh", "box"}, {"body", "static"}});
   const std::size_t before = game.scene.size();
   const NodeId reserved = game.scene.reserve();
-  const NodeDef bad = Game::read({{"name", "cart"},
+  const NodeDef bad = PlainGame::read({{"name", "cart"},
                                   {"mesh", "box"},
                                   {"body", "dynamic"},
                                   {"joints", List{Map{{"type", "fixed"}, {"b", "frame"}}}},
@@ -59,11 +59,11 @@ TEST_CASE("engine: a mistake anywhere in a tree of nodes adds nothing", "[engine
   CHECK(game.scene.size() == before);
   CHECK(game.world()->stats().bodies == 1);
   CHECK(game.joints_of(frame).empty());
-  CHECK(game.add(Game::read({{"name", "cart"}}), {}, Origin::declared, "scene.add", reserved) == reserved);
+  CHECK(game.add(PlainGame::read({{"name", "cart"}}), {}, Origin::declared, "scene.add", reserved) == reserved);
 }
 
 TEST_CASE("engine: two equal ids are refused, also within one tree", "[engine]") {
-  Game game;
+  PlainGame game;
 
   CHECK_THROWS_WITH(game.make({{"name", "a"}, {"children", List{Map{{"id", "x"}}, Map{{"id", "x"}}}}}),
                     "scene.add: id 'x' is taken by node 'a/x'; every id may stand once in a scene: change or leave out one of them");
@@ -71,7 +71,7 @@ TEST_CASE("engine: two equal ids are refused, also within one tree", "[engine]")
 }
 
 TEST_CASE("engine: a destroyed node is dead at once, readable until the end of the tick, then gone", "[engine]") {
-  Game game;
+  PlainGame game;
   const NodeId tower = game.make({{"name", "tower"}, {"children", List{Map{{"name", "flag"}}}}});
   const NodeId flag = game.scene.find("flag");
 
@@ -87,7 +87,7 @@ TEST_CASE("engine: a destroyed node is dead at once, readable until the end of t
 }
 
 TEST_CASE("engine: a child that was destroyed before its parent goes once", "[engine]") {
-  Game game;
+  PlainGame game;
   const NodeId tower = game.make({{"name", "tower"}, {"children", List{Map{{"name", "flag"}}}}});
   const NodeId flag = game.scene.find("flag");
 
@@ -98,7 +98,7 @@ TEST_CASE("engine: a child that was destroyed before its parent goes once", "[en
 }
 
 TEST_CASE("engine: nothing hangs below a destroyed node, and the root stays", "[engine]") {
-  Game game;
+  PlainGame game;
   const NodeId tower = game.make({{"name", "tower"}});
   game.destroy(tower);
 
@@ -107,14 +107,14 @@ TEST_CASE("engine: nothing hangs below a destroyed node, and the root stays", "[
 }
 
 TEST_CASE("engine: a destroyed body's contacts end in the same tick, while its node can be read", "[engine]") {
-  Game game;
+  PlainGame game;
   game.make({{"name", "floor"}, {"mesh", Map{{"shape", "box"}, {"size", Vec3{10, 1, 10}}}}, {"body", "static"}});
   const NodeId box = game.make({{"name", "box"}, {"position", Vec3{0, 1, 0}}, {"mesh", "box"}, {"body", "dynamic"}});
   game.run(10);
 
   game.begin_tick();
   game.destroy(box);
-  game.step(Game::kTick);
+  game.step(PlainGame::kTick);
   game.take_events();
   game.remove_bodies_of_dying();
   const Events events = game.take_events();
@@ -126,8 +126,8 @@ TEST_CASE("engine: a destroyed body's contacts end in the same tick, while its n
 }
 
 TEST_CASE("engine: the hash sees transforms, names and ticks, and no drawing state", "[engine]") {
-  Game one, two;
-  for (Game* game : {&one, &two}) game->make({{"name", "a"}, {"mesh", "box"}});
+  PlainGame one, two;
+  for (PlainGame* game : {&one, &two}) game->make({{"name", "a"}, {"mesh", "box"}});
   CHECK(one.hash() == two.hash());
 
   one.scene[one.scene.find("a")].visible = false;
@@ -137,8 +137,8 @@ TEST_CASE("engine: the hash sees transforms, names and ticks, and no drawing sta
 }
 
 TEST_CASE("engine: equal runs give equal hashes at every tick", "[engine]") {
-  Game one, two;
-  for (Game* game : {&one, &two}) {
+  PlainGame one, two;
+  for (PlainGame* game : {&one, &two}) {
     game->make({{"mesh", Map{{"shape", "box"}, {"size", Vec3{10, 1, 10}}}}, {"body", "static"}});
     for (int i = 0; i < 8; ++i) game->make({{"position", Vec3{0.1 * i, 2.0 + i, 0}}, {"mesh", "box"}, {"body", "dynamic"}});
   }

@@ -1,13 +1,13 @@
 #include "engine/colliders.h"
 
-#include "test_engine_game.h"
+#include "test_engine_support.h"
 
 using namespace tumble;
 
 namespace {
 
 // How far a ray from the side goes before it meets the body: the body's half width.
-double half_width(Game& game, Vec3 direction) {
+double half_width(PlainGame& game, Vec3 direction) {
   const auto hit = game.world()->raycast(direction * 50, -direction, 100);
   REQUIRE(hit);
   return 50 - hit->distance;
@@ -16,7 +16,7 @@ double half_width(Game& game, Vec3 direction) {
 }  // namespace
 
 TEST_CASE("body: fitted to the mesh, stretched by all scales above it", "[engine]") {
-  Game game;
+  PlainGame game;
   const NodeId parent = game.make({{"scale", Vec3{2, 2, 2}}});
   game.make({{"scale", Vec3{1, 3, 1}}, {"mesh", Map{{"shape", "box"}, {"size", Vec3{1, 1, 4}}}}, {"body", "static"}}, parent);
 
@@ -26,7 +26,7 @@ TEST_CASE("body: fitted to the mesh, stretched by all scales above it", "[engine
 }
 
 TEST_CASE("body: fit = \"node\" is a box of the node's scale, whatever the mesh", "[engine]") {
-  Game game;
+  PlainGame game;
   game.make({{"scale", Vec3{4, 1, 1}}, {"mesh", Map{{"shape", "sphere"}, {"radius", 7}}}, {"body", Map{{"type", "static"}, {"fit", "node"}}}});
 
   CHECK(half_width(game, {1, 0, 0}) == Approx(2).epsilon(1e-6));
@@ -50,7 +50,7 @@ TEST_CASE("body: given colliders stretch with their node, offsets and centre of 
 }
 
 TEST_CASE("body: without a mesh or colliders it is refused with the way out", "[engine]") {
-  Game game;
+  PlainGame game;
 
   CHECK_THROWS_WITH(game.make({{"body", "dynamic"}}), "scene.add: body needs a mesh or colliders: give the node mesh = \"box\", or body = { "
                                                       "colliders = { shape = \"box\" } }");
@@ -63,7 +63,7 @@ TEST_CASE("body: a shape that cannot be built is refused with and without a worl
   const Map flat{{"body", Map{{"colliders", Map{{"shape", "hull"}, {"points", List{Vec3{}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}}}}}}};
 
   for (const bool with_world : {true, false}) {
-    Game game({}, with_world);
+    PlainGame game({}, with_world);
     CHECK_THROWS_WITH(game.make(flat), Catch::StartsWith("scene.add: collider: a hull needs at least 4 points"));
     CHECK(game.world() == nullptr);
     CHECK(game.scene.size() == 1);
@@ -73,7 +73,7 @@ TEST_CASE("body: a shape that cannot be built is refused with and without a worl
 TEST_CASE("body: unknown groups are refused with the nearest", "[engine]") {
   GameSettings settings;
   settings.physics.groups = {"player", "enemy"};
-  Game game(settings);
+  PlainGame game(settings);
 
   CHECK_THROWS_WITH(game.make({{"mesh", "box"}, {"body", Map{{"group", "plyer"}}}}),
                     "scene.add: body.group: unknown group 'plyer'; did you mean 'player'?; groups are listed in game.json: physics.groups");
@@ -81,7 +81,7 @@ TEST_CASE("body: unknown groups are refused with the nearest", "[engine]") {
 }
 
 TEST_CASE("body: a new scale of the node or of an ancestor rebuilds the colliders", "[engine]") {
-  Game game;
+  PlainGame game;
   const NodeId parent = game.make({{"name", "parent"}});
   const NodeId node = game.make({{"mesh", "box"}, {"body", "static"}}, parent);
   game.run(1);
@@ -94,7 +94,7 @@ TEST_CASE("body: a new scale of the node or of an ancestor rebuilds the collider
 }
 
 TEST_CASE("body: a new mesh refits it, and losing the mesh is refused", "[engine]") {
-  Game game;
+  PlainGame game;
   const NodeId node = game.make({{"mesh", "box"}, {"body", "static"}});
 
   game.set(node, "mesh", Map{{"shape", "sphere"}, {"radius", 2}});
@@ -105,7 +105,7 @@ TEST_CASE("body: a new mesh refits it, and losing the mesh is refused", "[engine
 }
 
 TEST_CASE("body: off while its node or an ancestor is disabled", "[engine]") {
-  Game game;
+  PlainGame game;
   const NodeId parent = game.make({{"name", "parent"}});
   const NodeId ball = game.make({{"mesh", "sphere"}, {"body", "dynamic"}}, parent);
   const BodyId id = game.body(ball)->id;
@@ -124,7 +124,7 @@ TEST_CASE("body: off while its node or an ancestor is disabled", "[engine]") {
 }
 
 TEST_CASE("body: made below a disabled node it begins switched off", "[engine]") {
-  Game game;
+  PlainGame game;
   const NodeId parent = game.make({{"enabled", false}});
   const NodeId ball = game.make({{"mesh", "sphere"}, {"body", "dynamic"}}, parent);
 
@@ -132,7 +132,7 @@ TEST_CASE("body: made below a disabled node it begins switched off", "[engine]")
 }
 
 TEST_CASE("body: a changed type takes effect", "[engine]") {
-  Game game;
+  PlainGame game;
   const NodeId ball = game.make({{"mesh", "sphere"}, {"body", "static"}});
   game.run(5);
   CHECK(game.place(ball) == Vec3{});
@@ -144,7 +144,7 @@ TEST_CASE("body: a changed type takes effect", "[engine]") {
 }
 
 TEST_CASE("body: the node of a body is found from the world", "[engine]") {
-  Game game;
+  PlainGame game;
   const NodeId ball = game.make({{"mesh", "sphere"}, {"body", "dynamic"}});
 
   CHECK(game.node_of(game.body(ball)->id) == ball);
@@ -152,7 +152,7 @@ TEST_CASE("body: the node of a body is found from the world", "[engine]") {
 }
 
 TEST_CASE("body: new physics settings act on bodies that are there", "[engine]") {
-  Game game;
+  PlainGame game;
   const NodeId ball = game.make({{"mesh", "sphere"}, {"body", "dynamic"}});
   WorldSettings physics = game.settings.physics;
   physics.gravity = {0, 3, 0};

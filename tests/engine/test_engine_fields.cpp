@@ -1,11 +1,11 @@
 #include "engine/fields.h"
 
-#include "test_engine_game.h"
+#include "test_engine_support.h"
 
 using namespace tumble;
 
 TEST_CASE("set_field: fields of a node by their names", "[engine]") {
-  Game game;
+  PlainGame game;
   const NodeId node = game.make({{"name", "a"}, {"mesh", "box"}});
 
   game.set(node, "position", Vec3{1, 2, 3});
@@ -33,7 +33,7 @@ TEST_CASE("set_field: fields of a node by their names", "[engine]") {
 }
 
 TEST_CASE("set_field: nil removes a component and sets other fields back to their defaults", "[engine]") {
-  Game game;
+  PlainGame game;
   const NodeId node = game.make({{"mesh", "box"}, {"light", "sun"}, {"scale", Vec3{2, 2, 2}}, {"color", "red"}, {"body", Map{{"mass", 3}}}});
 
   game.set(node, "light", {});
@@ -51,7 +51,7 @@ TEST_CASE("set_field: nil removes a component and sets other fields back to thei
 }
 
 TEST_CASE("set_field: a body's field changes the body that is there and keeps its velocity", "[engine]") {
-  Game game;
+  PlainGame game;
   const NodeId node = game.make({{"mesh", "box"}, {"body", Map{{"velocity", Vec3{3, 0, 0}}}}});
   const BodyId before = game.body(node)->id;
   game.run(1);
@@ -65,7 +65,7 @@ TEST_CASE("set_field: a body's field changes the body that is there and keeps it
 }
 
 TEST_CASE("set_field: an entry of a list by its number", "[engine]") {
-  Game game;
+  PlainGame game;
   const NodeId node = game.make({{"body", Map{{"colliders", List{"box", Map{{"shape", "sphere"}, {"offset", Vec3{2, 0, 0}}}}}}}});
 
   game.set(node, "body.colliders.2.radius", 1.5);
@@ -77,7 +77,7 @@ TEST_CASE("set_field: an entry of a list by its number", "[engine]") {
 }
 
 TEST_CASE("set_field: mistakes are worded and change nothing", "[engine]") {
-  Game game;
+  PlainGame game;
   const NodeId node = game.make({{"mesh", "box"}, {"camera", Map{}}});
 
   CHECK_THROWS_WITH(game.set(node, "colr", "red"), "node: no field 'colr'; did you mean 'color'?");
@@ -89,7 +89,7 @@ TEST_CASE("set_field: mistakes are worded and change nothing", "[engine]") {
 }
 
 TEST_CASE("def: a node written down and made again is the same node", "[engine]") {
-  Game game;
+  PlainGame game;
   const NodeId first = game.make({{"name", "cart"}, {"position", Vec3{1, 2, 3}}, {"rotation_degrees", Vec3{10, 20, 30}}, {"scale", Vec3{1, 2, 1}},
                                   {"mesh", "box"}, {"material", Map{{"color", "red"}, {"glow", 1}}}, {"light", "spot"}, {"enabled", false},
                                   {"body", Map{{"mass", 3}, {"velocity", Vec3{0, 1, 0}}}}});

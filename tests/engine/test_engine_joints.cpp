@@ -1,13 +1,13 @@
 #include "engine/joint_options.h"
 
-#include "test_engine_game.h"
+#include "test_engine_support.h"
 
 using namespace tumble;
 
 namespace {
 
 // A post in the world's middle and a weightless-looking door beside it.
-struct DoorGame : Game {
+struct DoorGame : PlainGame {
   NodeId post = make({{"name", "post"}, {"mesh", "box"}, {"body", "static"}});
   NodeId door = make({{"name", "door"}, {"position", Vec3{2, 0, 0}}, {"mesh", "box"}, {"body", Map{{"gravity_factor", 0}}}});
 };
@@ -84,13 +84,13 @@ TEST_CASE("joint: a hinge lets a door turn about the post and holds it there", "
 }
 
 TEST_CASE("joint: it waits until both bodies are there, and works from then on", "[engine]") {
-  Game game;
+  PlainGame game;
   const NodeId hook = game.make({{"name", "hook"}});
   const NodeId lamp = game.make({{"name", "lamp"}, {"position", Vec3{0, -1, 0}}, {"mesh", "sphere"}, {"body", "dynamic"}});
   const JointRef joint = game.tie("ball", lamp, hook, {{"world_anchor", Vec3{}}});
   CHECK_FALSE(game.joint(joint)->id);
 
-  game.set_body(hook, Game::read({{"body", Map{{"type", "static"}, {"fit", "node"}}}}).body, "node.body");
+  game.set_body(hook, PlainGame::read({{"body", Map{{"type", "static"}, {"fit", "node"}}}}).body, "node.body");
   REQUIRE(game.joint(joint)->id);
   CHECK(game.joint_of(game.joint(joint)->id) == joint);
   game.run(60);
@@ -143,7 +143,7 @@ TEST_CASE("joint: found by its name from either end", "[engine]") {
 }
 
 TEST_CASE("joint: a break frees the bodies and leaves the joint, marked", "[engine]") {
-  Game game;
+  PlainGame game;
   const NodeId lamp = game.make({{"position", Vec3{0, -1, 0}}, {"mesh", "sphere"}, {"body", Map{{"mass", 1}}}});
   const JointRef joint = game.tie("fixed", lamp, {}, {{"break_force", 5}});
 
@@ -154,7 +154,7 @@ TEST_CASE("joint: a break frees the bodies and leaves the joint, marked", "[engi
 }
 
 TEST_CASE("joint: in files it names its partner by id, name or path, in any order", "[engine]") {
-  Game game;
+  PlainGame game;
   const auto box = [](const char* name, const char* partner) {
     return Map{{"name", name}, {"mesh", "box"}, {"body", "dynamic"}, {"joints", List{Map{{"type", "fixed"}, {"name", name}, {"b", partner}}}}};
   };
@@ -174,7 +174,7 @@ TEST_CASE("joint: in files it names its partner by id, name or path, in any orde
 }
 
 TEST_CASE("joint: a file's mistakes name their place", "[engine]") {
-  Game game;
+  PlainGame game;
   const auto with = [&](const Map& joint) { game.make({{"name", "r"}, {"mesh", "box"}, {"body", "dynamic"}, {"joints", List{joint}}}); };
 
   CHECK_THROWS_WITH(with({{"type", "hinge"}, {"b", "frme"}}), Catch::Contains("scene.add: joints[1].b: no node 'frme'"));

@@ -1,17 +1,17 @@
-#include "test_engine_game.h"
+#include "test_engine_support.h"
 
 using namespace tumble;
 
 namespace {
 
 NodeDef level(const char* name, const char* id = "") {
-  return Game::read({{"name", name}, {"children", List{Map{{"name", "crate"}, {"id", id}, {"mesh", "box"}, {"body", "dynamic"}}}}});
+  return PlainGame::read({{"name", name}, {"children", List{Map{{"name", "crate"}, {"id", id}, {"mesh", "box"}, {"body", "dynamic"}}}}});
 }
 
 }  // namespace
 
 TEST_CASE("load: a scene takes the place of the one before, declared nodes stay, added ones go", "[engine]") {
-  Game game;
+  PlainGame game;
   const NodeId score = game.declare({{"name", "score"}});
   CHECK(game.scene_root == game.scene.root());
   const NodeId one = game.load(level("one"), "levels/one");
@@ -30,7 +30,7 @@ TEST_CASE("load: a scene takes the place of the one before, declared nodes stay,
 }
 
 TEST_CASE("load: the same scene again keeps its ids", "[engine]") {
-  Game game;
+  PlainGame game;
   game.load(level("one", "C1"), "one");
 
   game.load(level("one", "C1"), "one");
@@ -39,7 +39,7 @@ TEST_CASE("load: the same scene again keeps its ids", "[engine]") {
 }
 
 TEST_CASE("load: a scene with a mistake changes nothing", "[engine]") {
-  Game game;
+  PlainGame game;
   game.declare({{"name", "keeper"}, {"id", "K"}});
   const NodeId one = game.load(level("one", "C1"), "one");
   NodeDef bad = level("two", "C2");
@@ -54,7 +54,7 @@ TEST_CASE("load: a scene with a mistake changes nothing", "[engine]") {
 }
 
 TEST_CASE("load: a file's joint may name a declared node", "[engine]") {
-  Game game;
+  PlainGame game;
   const NodeId post = game.declare({{"name", "post"}, {"mesh", "box"}, {"body", "static"}});
   NodeDef one = level("one");
   one.children[0].joints.push_back(Map{{"type", "fixed"}, {"name", "tie"}, {"b", "post"}});
@@ -65,7 +65,7 @@ TEST_CASE("load: a file's joint may name a declared node", "[engine]") {
 }
 
 TEST_CASE("load: loaded nodes restart, those of the scene before do not come back", "[engine]") {
-  Game game;
+  PlainGame game;
   game.load(level("one"), "one");
   const NodeId old_crate = game.scene.find("crate");
   game.destroy(old_crate);
@@ -83,8 +83,8 @@ TEST_CASE("load: loaded nodes restart, those of the scene before do not come bac
 }
 
 TEST_CASE("load: a declared node that hung in the old scene keeps its place in the world", "[engine]") {
-  Game game;
-  game.load(Game::read({{"name", "one"}, {"position", Vec3{5, 0, 0}}}), "one");
+  PlainGame game;
+  game.load(PlainGame::read({{"name", "one"}, {"position", Vec3{5, 0, 0}}}), "one");
   const NodeId hat = game.declare({{"name", "hat"}, {"position", Vec3{1, 0, 0}}}, game.scene_root);
 
   game.load(level("two"), "two");

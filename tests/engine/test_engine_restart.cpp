@@ -1,11 +1,11 @@
-#include "test_engine_game.h"
+#include "test_engine_support.h"
 
 using namespace tumble;
 
 namespace {
 
 // A declared ball that falls on a declared floor, with a hinge door.
-struct Court : Game {
+struct Court : PlainGame {
   NodeId floor = declare({{"name", "floor"}, {"position", Vec3{0, -1, 0}}, {"mesh", Map{{"shape", "box"}, {"size", Vec3{9, 1, 9}}}}, {"body", "static"}});
   NodeId ball = declare({{"name", "ball"}, {"id", "B"}, {"position", Vec3{0, 3, 0}}, {"mesh", "sphere"}, {"color", "orange"},
                          {"body", Map{{"restitution", 0.5}, {"velocity", Vec3{1, 0, 0}}}}});
@@ -157,7 +157,7 @@ TEST_CASE("restart: a forgotten declaration does not come back, and its handle i
 }
 
 TEST_CASE("restart: a game without bodies has no world afterwards either", "[engine]") {
-  Game game;
+  PlainGame game;
   game.declare({{"name", "a"}});
   game.make({{"mesh", "box"}, {"body", "dynamic"}});
 

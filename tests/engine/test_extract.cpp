@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "test_engine_game.h"
+#include "test_engine_support.h"
 
 using namespace tumble;
 
@@ -12,14 +12,14 @@ constexpr double kWide = 16.0 / 9;
 
 Vec3 place_of(const DrawMesh& mesh) { return {mesh.matrix[12], mesh.matrix[13], mesh.matrix[14]}; }
 
-NodeId add_camera(Game& game, Vec3 position, const Map& camera = {}) {
+NodeId add_camera(PlainGame& game, Vec3 position, const Map& camera = {}) {
   return game.make({{"name", "eye"}, {"position", position}, {"camera", camera}});
 }
 
 }  // namespace
 
 TEST_CASE("extract: visible meshes of enabled nodes, and nothing below hidden ones", "[engine]") {
-  Game game;
+  PlainGame game;
   add_camera(game, {});
   game.make({{"mesh", "box"}});
   game.make({{"mesh", "box"}, {"visible", false}, {"children", List{Map{{"mesh", "box"}}}}});
@@ -30,7 +30,7 @@ TEST_CASE("extract: visible meshes of enabled nodes, and nothing below hidden on
 }
 
 TEST_CASE("extract: a mesh's matrix takes its points to the picture's space", "[engine]") {
-  Game game;
+  PlainGame game;
   add_camera(game, {10, 0, 0});
   const Transform t{{1, 2, 3}, axis_angle({1, 2, 3}, 0.8), {2, 3, 4}};
   const NodeId node = game.make({{"mesh", "box"}});
@@ -45,7 +45,7 @@ TEST_CASE("extract: a mesh's matrix takes its points to the picture's space", "[
 }
 
 TEST_CASE("extract: poses lie between the last tick and this one, camera included", "[engine]") {
-  Game game;
+  PlainGame game;
   const NodeId eye = add_camera(game, {});
   const NodeId box = game.make({{"mesh", "box"}});
   game.run(1);
@@ -62,7 +62,7 @@ TEST_CASE("extract: poses lie between the last tick and this one, camera include
 }
 
 TEST_CASE("extract: far from the origin millimetres are still there", "[engine]") {
-  Game game;
+  PlainGame game;
   add_camera(game, {1e7, 0, 0});
   game.make({{"position", Vec3{1e7 + 0.001, 0, -2}}, {"mesh", "box"}});
 
@@ -70,7 +70,7 @@ TEST_CASE("extract: far from the origin millimetres are still there", "[engine]"
 }
 
 TEST_CASE("extract: equal shapes share a key, whatever fields they do not read", "[engine]") {
-  Game game;
+  PlainGame game;
   add_camera(game, {});
   for (const Map& mesh : {Map{{"shape", "sphere"}}, Map{{"shape", "sphere"}, {"size", Vec3{9, 9, 9}}}, Map{{"shape", "sphere"}, {"radius", 2}}})
     game.make({{"mesh", mesh}});
@@ -82,7 +82,7 @@ TEST_CASE("extract: equal shapes share a key, whatever fields they do not read",
 }
 
 TEST_CASE("extract: a material's color, opacity and numbers", "[engine]") {
-  Game game;
+  PlainGame game;
   add_camera(game, {});
   game.make({{"mesh", "box"}, {"material", Map{{"color", "red"}, {"opacity", 0.5}, {"glow", 2}, {"metalness", 1}, {"roughness", 0.25}}}});
 
@@ -95,7 +95,7 @@ TEST_CASE("extract: a material's color, opacity and numbers", "[engine]") {
 }
 
 TEST_CASE("extract: without a light there is a sun, with a lamp only there is none, and a sun shines along its node", "[engine]") {
-  Game game;
+  PlainGame game;
   add_camera(game, {});
   CHECK(extract(game, 1, kWide).has_sun);
 
@@ -110,7 +110,7 @@ TEST_CASE("extract: without a light there is a sun, with a lamp only there is no
 }
 
 TEST_CASE("camera: the first active and enabled one in tree order", "[engine]") {
-  Game game;
+  PlainGame game;
   add_camera(game, {1, 0, 0}, {{"active", false}});
   const NodeId off = game.make({{"camera", Map{}}, {"enabled", false}});
   const NodeId second = add_camera(game, {2, 0, 0});
@@ -122,7 +122,7 @@ TEST_CASE("camera: the first active and enabled one in tree order", "[engine]") 
 }
 
 TEST_CASE("camera: where there is none, one is made that sees everything from +z and a little above", "[engine]") {
-  Game game;
+  PlainGame game;
   game.make({{"position", Vec3{-20, 0, 0}}, {"mesh", "box"}});
   game.make({{"position", Vec3{30, 10, -5}}, {"mesh", Map{{"shape", "sphere"}, {"radius", 3}}}});
   game.run(1);
@@ -142,7 +142,7 @@ TEST_CASE("camera: where there is none, one is made that sees everything from +z
 }
 
 TEST_CASE("camera: drawing never makes one", "[engine]") {
-  Game game;
+  PlainGame game;
   game.make({{"mesh", "box"}});
   const std::size_t before = game.scene.size();
 

@@ -1,4 +1,4 @@
-#include "test_engine_game.h"
+#include "test_engine_support.h"
 
 using namespace tumble;
 
@@ -12,7 +12,7 @@ const Value kFloating = Map{{"gravity_factor", 0}};
 }  // namespace
 
 TEST_CASE("sync: a falling body moves its node and the nodes below it", "[engine]") {
-  Game game;
+  PlainGame game;
   const NodeId parent = game.make({{"position", Vec3{0, 100, 0}}});
   const NodeId ball = game.make(box("ball", {0, 0, 0}, "dynamic"), parent);
   const NodeId hat = game.make({{"name", "hat"}, {"position", Vec3{0, 1, 0}}}, ball);
@@ -22,13 +22,13 @@ TEST_CASE("sync: a falling body moves its node and the nodes below it", "[engine
   // One second of free fall in steps of h and substeps: g/2 and a little more, at most g h / 2.
   const double fall = 100 - game.place(ball).y;
   CHECK(fall >= 9.81 / 2 - 1e-9);
-  CHECK(fall <= 9.81 / 2 + 9.81 * Game::kTick / 2 + 1e-9);
+  CHECK(fall <= 9.81 / 2 + 9.81 * PlainGame::kTick / 2 + 1e-9);
   CHECK(game.place(hat).y == Approx(game.place(ball).y + 1));
   CHECK(game.scene[ball].local.position.y == Approx(-fall));
 }
 
 TEST_CASE("sync: a dynamic body owns its pose; a parent that moves leaves it behind", "[engine]") {
-  Game game;
+  PlainGame game;
   const NodeId parent = game.make({{"name", "parent"}});
   const NodeId ball = game.make(box("ball", {1, 0, 0}, kFloating), parent);
 
@@ -39,7 +39,7 @@ TEST_CASE("sync: a dynamic body owns its pose; a parent that moves leaves it beh
 }
 
 TEST_CASE("sync: writing a dynamic body's position is a jump, seen at once by queries, that keeps the velocity", "[engine]") {
-  Game game;
+  PlainGame game;
   const NodeId ball = game.make(box("ball", {}, Map{{"gravity_factor", 0}, {"velocity", Vec3{1, 0, 0}}}));
   game.run(1);
 
@@ -52,7 +52,7 @@ TEST_CASE("sync: writing a dynamic body's position is a jump, seen at once by qu
 }
 
 TEST_CASE("sync: a dynamic body below another is told to be a joint's or a collider's job", "[engine]") {
-  Game game;
+  PlainGame game;
   const NodeId car = game.make(box("car", {}, "dynamic"));
 
   game.make(box("wheel", {0, -1, 0}, "dynamic"), car);
@@ -62,7 +62,7 @@ TEST_CASE("sync: a dynamic body below another is told to be a joint's or a colli
 }
 
 TEST_CASE("sync: a kinematic body follows its node with the velocity of the motion, and then stands still", "[engine]") {
-  Game game;
+  PlainGame game;
   const NodeId lift = game.make(box("lift", {}, "kinematic"));
   game.run(1);
 
@@ -76,7 +76,7 @@ TEST_CASE("sync: a kinematic body follows its node with the velocity of the moti
 }
 
 TEST_CASE("sync: a kinematic body carries what stands on it, also when its parent is what moves", "[engine]") {
-  Game game;
+  PlainGame game;
   const NodeId carousel = game.make({{"name", "carousel"}});
   game.make({{"name", "plate"}, {"mesh", Map{{"shape", "box"}, {"size", Vec3{4, 1, 4}}}}, {"body", "kinematic"}}, carousel);
   const NodeId rider = game.make(box("rider", {0, 1, 0}, "dynamic"));
@@ -90,7 +90,7 @@ TEST_CASE("sync: a kinematic body carries what stands on it, also when its paren
 }
 
 TEST_CASE("sync: teleport on a kinematic body carries nothing and leaves no velocity", "[engine]") {
-  Game game;
+  PlainGame game;
   const NodeId lift = game.make(box("lift", {}, "kinematic"));
   game.run(1);
 
@@ -101,7 +101,7 @@ TEST_CASE("sync: teleport on a kinematic body carries nothing and leaves no velo
 }
 
 TEST_CASE("sync: teleporting an ancestor makes kinematic bodies below it jump", "[engine]") {
-  Game game;
+  PlainGame game;
   const NodeId parent = game.make({{"name", "parent"}});
   const NodeId lift = game.make(box("lift", {1, 0, 0}, "kinematic"), parent);
   game.run(1);
@@ -113,7 +113,7 @@ TEST_CASE("sync: teleporting an ancestor makes kinematic bodies below it jump", 
 }
 
 TEST_CASE("sync: a kinematic body below a dynamic one follows it", "[engine]") {
-  Game game;
+  PlainGame game;
   const NodeId car = game.make(box("car", {}, Map{{"gravity_factor", 0}, {"velocity", Vec3{6, 0, 0}}}));
   const NodeId arm = game.make(box("arm", {0, 3, 0}, "kinematic"), car);
 
@@ -125,7 +125,7 @@ TEST_CASE("sync: a kinematic body below a dynamic one follows it", "[engine]") {
 }
 
 TEST_CASE("sync: a static body that is written stands elsewhere and wakes what slept on it", "[engine]") {
-  Game game;
+  PlainGame game;
   const NodeId floor = game.make({{"mesh", Map{{"shape", "box"}, {"size", Vec3{9, 1, 9}}}}, {"body", "static"}});
   const NodeId crate = game.make(box("crate", {0, 1, 0}, "dynamic"));
   game.run(300);
@@ -138,7 +138,7 @@ TEST_CASE("sync: a static body that is written stands elsewhere and wakes what s
 }
 
 TEST_CASE("sync: a static body written in sixty ticks in a row gets one hint", "[engine]") {
-  Game game;
+  PlainGame game;
   const NodeId wall = game.make(box("wall", {}, "static"));
 
   for (int i = 1; i <= 59; ++i) game.tick_with([&] { game.set_position(wall, {0.01 * i, 0, 0}); });
@@ -151,7 +151,7 @@ TEST_CASE("sync: a static body written in sixty ticks in a row gets one hint", "
 }
 
 TEST_CASE("sync: a body that was moved while disabled is at its node when it is enabled", "[engine]") {
-  Game game;
+  PlainGame game;
   const NodeId lift = game.make(box("lift", {}, "kinematic"));
   game.set_enabled(lift, false);
   game.tick_with([&] { game.set_position(lift, {0, 8, 0}); });
@@ -163,7 +163,7 @@ TEST_CASE("sync: a body that was moved while disabled is at its node when it is 
 }
 
 TEST_CASE("sync: world positions and rotations are written through the parent", "[engine]") {
-  Game game;
+  PlainGame game;
   const NodeId parent = game.make({{"position", Vec3{1, 0, 0}}, {"rotation_degrees", Vec3{0, 90, 0}}, {"scale", Vec3{2, 2, 2}}});
   const NodeId child = game.make({{"name", "child"}}, parent);
 
@@ -175,7 +175,7 @@ TEST_CASE("sync: world positions and rotations are written through the parent", 
 }
 
 TEST_CASE("sync: a parent must be alive, and the root has none", "[engine]") {
-  Game game;
+  PlainGame game;
   const NodeId wall = game.make(box("wall", {}, "static"));
   const NodeId gone = game.make({{"name", "gone"}});
   game.destroy(gone);
@@ -185,7 +185,7 @@ TEST_CASE("sync: a parent must be alive, and the root has none", "[engine]") {
 }
 
 TEST_CASE("sync: a new parent leaves a node and its body where they are", "[engine]") {
-  Game game;
+  PlainGame game;
   const NodeId parent = game.make({{"position", Vec3{7, 0, 0}}});
   const NodeId wall = game.make(box("wall", {1, 2, 3}, "static"));
 

@@ -7,8 +7,8 @@
 
 namespace tumble {
 
-struct Game : Engine {
-  explicit Game(const GameSettings& settings = {}, bool with_world = true) : Engine(settings, with_world) {
+struct PlainGame : Engine {
+  explicit PlainGame(const GameSettings& settings = {}, bool with_world = true) : Engine(settings, with_world) {
     log = [this](const LogLine& line) { lines.push_back(line.text); };
   }
 
