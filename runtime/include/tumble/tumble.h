@@ -59,6 +59,8 @@ class TUMBLE_API Data {
   bool bool_or(bool other) const { return get(other); }
   std::string string_or(std::string other) const { return get(std::move(other)); }
   Vec3 vec3_or(Vec3 other) const { return get(other); }
+  using Content = std::variant<std::monostate, bool, double, std::string, Vec3>;
+  const Content& content() const { return value_; }
 
  private:
   template <class T>
@@ -66,7 +68,7 @@ class TUMBLE_API Data {
     const T* v = std::get_if<T>(&value_);
     return v ? *v : other;
   }
-  std::variant<std::monostate, bool, double, std::string, Vec3> value_;
+  Content value_;
 };
 
 enum class LogLevel { print, note, warning, error };

@@ -1,0 +1,78 @@
+// One loaded game: package, engine, scripts, recording. tick() in frame.cpp is the page to read first.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "assets/package.h"
+#include "assets/watch.h"
+#include "engine/engine.h"
+#include "engine/replay.h"
+#include "script/script.h"
+
+namespace tumble {
+
+// What the program around a game gives it; it outlives the game.
+struct GameHost {
+  Options options;
+  std::vector<HostFunction> functions;
+  std::function<void(LogLevel, const std::string&)> on_log;
+  std::function<void(const ScriptError&)> on_error;
+  std::function<std::optional<std::string>(const std::string&)> read_file;
+};
+
+class Game {
+ public:
+  // Throws Error where the package or its game.json is faulty.
+  Game(const std::string& path, const GameHost& host);
+  ~Game();
+
+  // Runs the scripts for the first time.
+  void start();
+  // One fixed tick with this input, in the order of api.md section 20.
+  void tick(std::vector<InputEvent> events);
+  // Looks for saved files and runs the text again.
+  void poll_changes();
+  void reload(const std::vector<std::string>& changed);
+  // The picture of now: alpha 0 shows the last tick, 1 this one. Calls the scripts' frame(dt).
+  DrawList draw(double alpha, double dt, double aspect);
+
+  void replay(Recording recording);
+  Recording recording() const;
+
+  double tick_seconds() const { return 1 / engine_->settings.tick_rate; }
+  Engine& engine() { return *engine_; }
+  Script& script() { return *script_; }
+  const GameSettings& settings() const { return engine_->settings; }
+  const Package& package() const { return *package_; }
+  std::int64_t ticks() const { return ticks_; }   // pauses counted
+  std::uint64_t hash() const { return script_->hash(); }
+  int errors() const { return script_->errors; }
+  void next_debug_view();
+  bool replaying() const { return replay_ && static_cast<std::uint64_t>(ticks_) < replay_->ticks; }
+  // Puts an event in front where the screen's shape is not what the game knows.
+  void screen_shape(double aspect, std::vector<InputEvent>& events) const;
+
+ private:
+  std::optional<std::string> read(const std::string& path) const;
+  void note(LogLevel level, const std::string& text);
+  std::vector<InputEvent> replayed_events();
+  void take_screen_shape(std::vector<InputEvent>& events);
+  void add_script_drawing(DrawList& list);
+  void add_debug_lines(DrawList& list);
+  void add_log_overlay(DrawList& list, double aspect);
+
+  const GameHost& host_;
+  std::unique_ptr<Package> package_;
+  std::unique_ptr<Watch> watch_;
+  std::unique_ptr<Engine> engine_;
+  std::unique_ptr<Script> script_;
+  std::int64_t ticks_ = 0;
+  std::vector<std::pair<std::uint64_t, InputEvent>> recorded_;
+  std::optional<Recording> replay_;
+  std::size_t replay_at_ = 0;
+  std::vector<std::pair<std::int64_t, LogLine>> recent_log_;   // tick and line, for the overlay
+};
+
+}  // namespace tumble

@@ -1,0 +1,416 @@
+// The embedding interface of tumble.h over Game.
+#include "tumble/tumble.h"
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <thread>
+
+#include "app/game.h"
+#include "assets/pack.h"
+#include "base/text.h"
+#include "engine/json.h"
+#include "platform/window.h"
+#include "render/renderer.h"
+#include "script/document.h"
+
+namespace tumble {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// How many ticks a frame may catch up before time is dropped: a tenth of a second at 60 Hz.
+constexpr int kMostTicksAFrame = 6;
+
+Value to_inner(const Data& data) {
+  return std::visit([](const auto& v) -> Value {
+    if constexpr (std::is_same_v<std::decay_t<decltype(v)>, std::monostate>) return {};
+    else return v;
+  }, data.content());
+}
+
+Data to_outer(const Value& value) {
+  if (const bool* b = value.get<bool>()) return *b;
+  if (value.is_number()) return value.number();
+  if (const std::string* s = value.get<std::string>()) return *s;
+  if (const Vec3* v = value.get<Vec3>()) return *v;
+  return {};
+}
+
+std::string whole_file(const std::string& file, const char* call) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) fail(call, ": '", file, "' cannot be read");
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+}  // namespace
+
+struct __attribute__((visibility("hidden"))) Runtime::Impl {
+  GameHost host;
+  std::string path;
+  std::unique_ptr<Window> window;
+  std::unique_ptr<Renderer> renderer;
+  std::unique_ptr<Game> game;
+  std::vector<InputEvent> pending;
+  std::int64_t frames = 0;
+  Clock::time_point last_frame;
+  bool first_frame = true, quit = false;
+  double accumulator = 0;
+  std::optional<Recording> next_recording;
+
+  Game& need_game(const char* call) {
+    if (!game) fail(call, ": no game is loaded; call load() first");
+    return *game;
+  }
+  double aspect() const { return window ? static_cast<double>(window->width()) / window->height() : 16.0 / 9.0; }
+  void open_window();
+  void open_game();
+  void tick_once();
+  void draw(double alpha, double dt);
+  void handle_keys(const WindowEvents& events);
+};
+
+void Runtime::Impl::open_window() {
+  const Options& o = host.options;
+  if (window || !(o.window || o.offscreen)) return;
+  const WindowSettings& own = game->settings().window;
+  WindowDef def;
+  def.title = game->settings().title;
+  def.width = o.width > 0 ? o.width : own.width;
+  def.height = o.height > 0 ? o.height : own.height;
+  def.fullscreen = !o.offscreen && (o.fullscreen || own.fullscreen);
+  def.offscreen = o.offscreen;
+  def.es = o.gles;
+  window = Window::open(def);
+  renderer = make_gl_renderer(*window);
+}
+
+void Runtime::Impl::open_game() {
+  game = std::make_unique<Game>(path, host);
+  if (next_recording) game->replay(*next_recording);
+  open_window();
+  if (window) window->set_title(game->settings().title);
+  pending.clear();
+  accumulator = 0;
+  first_frame = true;
+  game->start();
+}
+
+void Runtime::Impl::tick_once() {
+  std::vector<InputEvent> events = std::move(pending);
+  pending.clear();
+  game->screen_shape(aspect(), events);
+  game->tick(std::move(events));
+  if (game->script().requests.restart) {
+    open_game();
+    if (host.on_log) host.on_log(LogLevel::note, "restarted");
+  }
+}
+
+void Runtime::Impl::draw(double alpha, double dt) {
+  if (!window) return;
+  renderer->draw(game->draw(alpha, dt, aspect()), window->width(), window->height());
+  ++frames;
+}
+
+void Runtime::Impl::handle_keys(const WindowEvents& events) {
+  for (const std::string& key : events.keys) {
+    if (key == "f3") game->next_debug_view();
+    if (key == "f5") open_game();
+    if (key == "f11") window->set_fullscreen(!window->fullscreen());
+  }
+}
+
+Runtime::Runtime(const Options& options) : impl_(std::make_unique<Impl>()) { impl_->host.options = options; }
+Runtime::~Runtime() = default;
+
+void Runtime::add_function(const std::string& name, const std::string& doc, const std::vector<Argument>& arguments,
+                           std::function<Data(const std::vector<Data>&)> call) {
+  if (impl_->game) fail("add_function: '", name, "' comes after load(); add functions before");
+  HostFunction function;
+  function.name = name;
+  function.doc = doc;
+  for (const Argument& argument : arguments) function.params.push_back({argument.name, argument.type, false});
+  function.call = [call = std::move(call)](const std::vector<Value>& values) {
+    std::vector<Data> data;
+    for (const Value& value : values) data.push_back(to_outer(value));
+    return to_inner(call(data));
+  };
+  impl_->host.functions.push_back(std::move(function));
+}
+
+void Runtime::on_log(std::function<void(LogLevel, const std::string&)> callback) { impl_->host.on_log = std::move(callback); }
+void Runtime::on_script_error(std::function<void(const ScriptError&)> callback) { impl_->host.on_error = std::move(callback); }
+void Runtime::on_read_file(std::function<std::optional<std::string>(const std::string&)> callback) { impl_->host.read_file = std::move(callback); }
+
+void Runtime::load(const std::string& path) {
+  impl_->path = path;
+  impl_->open_game();
+}
+void Runtime::restart() {
+  impl_->need_game("restart");
+  impl_->open_game();
+}
+
+// ---- input
+
+namespace {
+InputEvent event_of(InputKind kind, const std::string& name) {
+  InputEvent event;
+  event.kind = kind;
+  event.name = name;
+  return event;
+}
+
+// An action stands for its first key, so that a host may speak of either.
+std::string raw_name(Game& game, const std::string& name, const char* call) {
+  const InputMap& input = game.engine().input;
+  if (!input.knows(name)) fail(call, ": unknown name '", name, "'", did_you_mean(name, input.known_names()));
+  const auto action = input.actions().find(name);
+  return action == input.actions().end() || action->second.empty() ? name : action->second.front();
+}
+}  // namespace
+
+void Runtime::press(const std::string& name) {
+  impl_->pending.push_back(event_of(InputKind::press, raw_name(impl_->need_game("press"), name, "press")));
+}
+void Runtime::press(const std::string& name, Place pointer) {
+  move_pointer(pointer);
+  press(name);
+}
+void Runtime::release(const std::string& name) {
+  impl_->pending.push_back(event_of(InputKind::release, raw_name(impl_->need_game("release"), name, "release")));
+}
+void Runtime::set_value(const std::string& name, double value) {
+  if (!(value >= 0 && value <= 1)) fail("set_value: 0 to 1 expected, got ", number_text(value));
+  InputEvent event = event_of(InputKind::value, raw_name(impl_->need_game("set_value"), name, "set_value"));
+  event.value = value;
+  impl_->pending.push_back(event);
+}
+void Runtime::move_pointer(Place place) {
+  const InputMap& input = impl_->need_game("move_pointer").engine().input;
+  InputEvent event = event_of(InputKind::pointer_move, "");
+  event.x = place.x;
+  event.y = place.y;
+  event.dx = place.x - input.pointer_x;
+  event.dy = place.y - input.pointer_y;
+  impl_->pending.push_back(event);
+}
+void Runtime::turn_wheel(double steps) {
+  InputEvent event = event_of(InputKind::wheel, "");
+  event.value = steps;
+  impl_->pending.push_back(event);
+}
+void Runtime::type_text(const std::string& utf8) {
+  if (!is_utf8(utf8)) fail("type_text: the text is not UTF-8");
+  impl_->pending.push_back(event_of(InputKind::text, utf8));
+}
+
+void Runtime::play_recording(const std::string& file) {
+  impl_->next_recording = read_recording(whole_file(file, "play_recording"), file);
+  impl_->host.options.seed = impl_->next_recording->seed;
+  if (!impl_->path.empty()) impl_->open_game();
+}
+void Runtime::save_recording(const std::string& file) const {
+  std::ofstream out(file, std::ios::binary);
+  out << write_recording(impl_->need_game("save_recording").recording());
+  if (!out.flush()) fail("save_recording: '", file, "' cannot be written");
+}
+
+// ---- time
+
+void Runtime::tick(int count) {
+  impl_->need_game("tick");
+  for (int i = 0; i < count; ++i) {
+    impl_->game->poll_changes();
+    impl_->tick_once();
+  }
+}
+
+bool Runtime::frame() {
+  Impl& impl = *impl_;
+  Game& game = impl.need_game("frame");
+  if (!impl.window) fail("frame: this runtime has no window; set Options::window, or call tick() and draw()");
+  const WindowEvents events = impl.window->poll();
+  impl.pending.insert(impl.pending.end(), events.input.begin(), events.input.end());
+  impl.handle_keys(events);
+  impl.quit |= events.quit;
+  impl.game->poll_changes();
+
+  const Clock::time_point now = Clock::now();
+  const double real = impl.first_frame ? 0 : std::chrono::duration<double>(now - impl.last_frame).count();
+  impl.last_frame = now;
+  impl.first_frame = false;
+  const double h = impl.game->tick_seconds();
+  impl.accumulator += real * impl.game->script().module_settings().time_scale;
+  int ticks = 0;
+  while (impl.accumulator >= h && !impl.quit) {
+    if (++ticks > kMostTicksAFrame) {  // too slow to keep up: the game slows down rather than freezing
+      impl.accumulator = 0;
+      break;
+    }
+    impl.accumulator -= h;
+    impl.tick_once();
+  }
+  // A paused world stands where it is, not between its last two ticks.
+  impl.draw(impl.game->script().module_settings().paused ? 1 : impl.accumulator / h, real);
+  impl.window->present();
+  (void)game;
+  return !impl.quit && !impl.game->script().requests.quit;
+}
+
+void Runtime::draw() {
+  impl_->need_game("draw");
+  impl_->draw(1, impl_->game->tick_seconds());
+}
+
+void Runtime::save_picture(const std::string& png_file) {
+  if (!impl_->renderer) fail("save_picture: nothing is drawn; set Options::offscreen or Options::window");
+  write_png(impl_->renderer->picture(), png_file);
+}
+
+std::vector<std::uint8_t> Runtime::picture(int& width, int& height) const {
+  if (!impl_->renderer) fail("picture: nothing is drawn; set Options::offscreen or Options::window");
+  Picture picture = impl_->renderer->picture();
+  width = picture.width;
+  height = picture.height;
+  return std::move(picture.pixels);
+}
+
+void Runtime::reload() {
+  Game& game = impl_->need_game("reload");
+  game.reload(game.package().list());
+}
+
+// ---- reading
+
+Node Runtime::node(const std::string& path) {
+  Node node;
+  const NodeId id = impl_->need_game("node").engine().scene.get_by_path(path, {}, "node");
+  node.runtime_ = this;
+  node.index_ = id.index;
+  node.generation_ = id.generation;
+  return node;
+}
+
+std::optional<Node> Runtime::find(const std::string& path) {
+  if (!impl_->need_game("find").engine().scene.find(path)) return std::nullopt;
+  return node(path);
+}
+
+Data Runtime::report(const std::string& name) const {
+  for (const auto& [key, value] : impl_->need_game("report").script().report)
+    if (key == name) return to_outer(value);
+  return {};
+}
+
+std::string Runtime::report_json() const {
+  Map game{{"finished", is_finished()}};
+  for (const auto& [key, value] : impl_->need_game("report_json").script().report) game.emplace_back(key, value);
+  return write_json(game);
+}
+
+std::uint64_t Runtime::hash() const { return impl_->need_game("hash").hash(); }
+std::int64_t Runtime::tick_number() const { return impl_->game ? impl_->game->ticks() : 0; }
+std::int64_t Runtime::frame_number() const { return impl_->frames; }
+double Runtime::seconds() const { return impl_->game ? impl_->game->script().seconds_now : 0; }
+double Runtime::tick_seconds() const { return impl_->game ? impl_->game->tick_seconds() : 1.0 / 60; }
+bool Runtime::is_finished() const { return impl_->game && impl_->game->script().finished; }
+bool Runtime::wants_quit() const { return impl_->quit || (impl_->game && impl_->game->script().requests.quit); }
+bool Runtime::is_loaded() const { return impl_->game && impl_->game->script().loaded(); }
+int Runtime::script_errors() const { return impl_->game ? impl_->game->errors() : 0; }
+std::string Runtime::title() const { return impl_->game ? impl_->game->settings().title : ""; }
+
+void Runtime::send(const std::string& message, const std::vector<Data>& arguments) {
+  std::vector<Value> values;
+  for (const Data& data : arguments) values.push_back(to_inner(data));
+  impl_->need_game("send").script().send(message, values);
+}
+
+// ---- tests
+
+std::vector<std::pair<std::string, std::string>> Runtime::tests() {
+  std::vector<std::pair<std::string, std::string>> list;
+  Game& game = impl_->need_game("tests");
+  for (const std::string& file : game.package().list("tests"))
+    if (file.ends_with(".lua"))
+      for (const std::string& claim : game.script().list_tests(file)) list.emplace_back(file, claim);
+  return list;
+}
+
+std::string Runtime::run_test(const std::string& file, const std::string& claim) {
+  Game& game = impl_->need_game("run_test");
+  const std::vector<std::string> claims = game.script().list_tests(file);
+  const auto found = std::find(claims.begin(), claims.end(), claim);
+  if (found == claims.end()) return "no test '" + claim + "' in " + file;
+  const int errors_before = game.errors();
+  game.script().start_test(static_cast<int>(found - claims.begin()) + 1);
+  constexpr int kLongest = 60 * 60 * 10;   // ticks: ten minutes of game time
+  for (int i = 0; i < kLongest && !game.script().test_outcome; ++i) impl_->tick_once();
+  if (!game.script().test_outcome) return game.errors() > errors_before && game.script().shown_error ? game.script().shown_error->text : "it did not end within ten minutes of game time";
+  const auto [ok, text] = *game.script().test_outcome;
+  if (!ok) return text;
+  if (game.errors() > errors_before) return "a script failed meanwhile: " + (game.script().shown_error ? game.script().shown_error->text : std::string());
+  return "";
+}
+
+// ---- nodes
+
+// Node is a friend of Runtime; this is how its functions reach the game.
+#define TUMBLE_NODE_GAME(call)                                                                 \
+  Game& game = runtime_->impl_->need_game(call);                                               \
+  const NodeId id{index_, generation_};                                                        \
+  if (!game.engine().scene.get(id)) fail("node: ", call, ": this node was destroyed")
+
+bool Node::is_alive() const {
+  return runtime_ && runtime_->impl_->game && runtime_->impl_->game->engine().alive({index_, generation_});
+}
+std::string Node::name() const {
+  TUMBLE_NODE_GAME("name");
+  return game.engine().scene[id].name;
+}
+Vec3 Node::position() const {
+  TUMBLE_NODE_GAME("position");
+  return game.engine().scene.world(id).position;
+}
+Quat Node::rotation() const {
+  TUMBLE_NODE_GAME("rotation");
+  return game.engine().scene.world(id).rotation;
+}
+Vec3 Node::velocity() const {
+  TUMBLE_NODE_GAME("velocity");
+  const BodyComponent* body = game.engine().body(id);
+  return body && game.engine().world() ? game.engine().world()->velocity(body->id) : Vec3{};
+}
+Data Node::get(const std::string& path) const {
+  TUMBLE_NODE_GAME("get");
+  const std::optional<Value> value = game.script().get_path(game.engine().scene.path(id), path);
+  return value ? to_outer(*value) : Data{};
+}
+void Node::set(const std::string& path, const Data& value) {
+  TUMBLE_NODE_GAME("set");
+  game.script().set_path(game.engine().scene.path(id), path, to_inner(value));
+}
+#undef TUMBLE_NODE_GAME
+
+// ---- tools
+
+std::vector<std::pair<std::string, std::string>> generated_files() { return document_files(); }
+
+void pack(const std::string& folder, const std::string& output, const std::string& program) {
+  write_package(folder, output, program.empty() ? std::nullopt : std::optional<std::filesystem::path>(program));
+}
+
+bool has_packed_game(const std::string& program) {
+  try {
+    return Package::appended_to(program) != nullptr;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+bool display_available() { return Window::display_available(); }
+std::string version() { return "0.1.0"; }
+
+}  // namespace tumble

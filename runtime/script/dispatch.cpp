@@ -1,0 +1,233 @@
+#include "script/dispatch.h"
+
+#include "base/text.h"
+#include "script/script.h"
+#include "script/view.h"
+
+namespace tumble {
+
+namespace {
+
+// The row table: name -> function (method or function) or light userdata (the Row of a property).
+void push_rows(lua_State* L, const Area& area, bool with_functions) {
+  lua_createtable(L, 0, static_cast<int>(area.rows.size()));
+  for (const Row& row : area.rows) {
+    if (row.kind == Row::Kind::event || row.scripted) continue;
+    if (row.call) {
+      if (!with_functions) continue;
+      lua_pushcfunction(L, row.call);
+    } else {
+      lua_pushlightuserdata(L, const_cast<Row*>(&row));
+    }
+    lua_setfield(L, -2, row.name.c_str());
+  }
+}
+
+const Area& upvalue_area(lua_State* L) { return *static_cast<const Area*>(lua_touserdata(L, lua_upvalueindex(2))); }
+
+// Leaves the row or function for the key at `key` on the stack.
+int look_up(lua_State* L, int key) {
+  lua_pushvalue(L, key);
+  return lua_rawget(L, lua_upvalueindex(1));
+}
+
+std::string key_text(lua_State* L, int index) {
+  return lua_type(L, index) == LUA_TSTRING ? lua_tostring(L, index) : describe_argument(L, index);
+}
+
+int object_index(lua_State* L) {
+  const int type = look_up(L, 2);
+  if (type == LUA_TFUNCTION) return 1;
+  if (type == LUA_TLIGHTUSERDATA) {
+    const Row* row = static_cast<const Row*>(lua_touserdata(L, -1));
+    lua_settop(L, 1);
+    return row->get(L);
+  }
+  lua_settop(L, 2);
+  return at_border(L, [L] { return index_described(L, upvalue_area(L)); });
+}
+
+int object_newindex(lua_State* L) {
+  const int type = look_up(L, 2);
+  const Row* row = type == LUA_TLIGHTUSERDATA ? static_cast<const Row*>(lua_touserdata(L, -1)) : nullptr;
+  lua_settop(L, 3);
+  if (row && row->set) {
+    lua_remove(L, 2);
+    return row->set(L);
+  }
+  return at_border(L, [L, row, type] {
+    const Area& area = upvalue_area(L);
+    if (row) fail(area.name, ".", row->name, ": can be read but not written");
+    if (type == LUA_TFUNCTION) fail(area.name, ".", key_text(L, 2), " is a function of every ", area.name, " and cannot be replaced");
+    return newindex_described(L, area);
+  });
+}
+
+// vec3, quat and color by name, without the detour over the rows for one-letter fields.
+int vec3_index(lua_State* L) {
+  const Vec3& v = *vec3_at(L, 1);
+  std::size_t size = 0;
+  const char* key = lua_tolstring(L, 2, &size);
+  if (size == 1 && lua_type(L, 2) == LUA_TSTRING) {
+    if (*key == 'x') return lua_pushnumber(L, v.x), 1;
+    if (*key == 'y') return lua_pushnumber(L, v.y), 1;
+    if (*key == 'z') return lua_pushnumber(L, v.z), 1;
+  }
+  return object_index(L);
+}
+
+int module_index(lua_State* L) {
+  if (look_up(L, 2) == LUA_TLIGHTUSERDATA) {
+    const Row* row = static_cast<const Row*>(lua_touserdata(L, -1));
+    lua_settop(L, 0);
+    return row->get(L);
+  }
+  return at_border(L, [L]() -> int { fail_unknown(L, upvalue_area(L), upvalue_area(L).name, key_text(L, 2)); });
+}
+
+int module_newindex(lua_State* L) {
+  const int type = look_up(L, 2);
+  const Row* row = type == LUA_TLIGHTUSERDATA ? static_cast<const Row*>(lua_touserdata(L, -1)) : nullptr;
+  if (row && row->set) {
+    lua_settop(L, 3);
+    lua_remove(L, 1);
+    lua_remove(L, 1);
+    return row->set(L);
+  }
+  return at_border(L, [L, row]() -> int {
+    const Area& area = upvalue_area(L);
+    const std::string key = key_text(L, 2);
+    if (row) fail(area.name, ".", key, ": can be read but not written");
+    if (area.find(key)) fail(area.name, ".", key, " is a function of the engine and cannot be replaced; give yours another name");
+    fail_unknown(L, area, area.name, key);
+  });
+}
+
+int object_tostring(lua_State* L) {
+  const std::string text = script_of(L).object_text(1);
+  lua_pushlstring(L, text.data(), text.size());
+  return 1;
+}
+
+void set_closure(lua_State* L, const char* field, lua_CFunction function, const Area& area, bool functions) {
+  push_rows(L, area, functions);
+  lua_pushlightuserdata(L, const_cast<Area*>(&area));
+  lua_pushcclosure(L, function, 2);
+  lua_setfield(L, -2, field);
+}
+
+void lock(lua_State* L, const std::string& name) {
+  lua_pushlstring(L, name.data(), name.size());
+  lua_setfield(L, -2, "__metatable");
+}
+
+void open_object(lua_State* L, Tag tag) {
+  const Area& rows = area(tag_name(tag));
+  lua_newtable(L);
+  set_closure(L, "__index", tag == Tag::vec3 ? vec3_index : object_index, rows, true);
+  set_closure(L, "__newindex", object_newindex, rows, true);
+  lua_pushcfunction(L, object_tostring);
+  lua_setfield(L, -2, "__tostring");
+  lua_pushstring(L, tag_name(tag));
+  lua_setfield(L, -2, "__name");
+  lock(L, tag_name(tag));
+  lua_rawsetp(L, LUA_REGISTRYINDEX, reinterpret_cast<void*>(static_cast<std::uintptr_t>(tag)));
+}
+
+// Functions are found by the VM alone: the proxy's __index is a table; only properties and misses reach C.
+void open_module(lua_State* L, const Area& module, int globals) {
+  lua_newtable(L);                                   // proxy
+  lua_newtable(L);                                   // its metatable
+  lua_newtable(L);                                   // functions
+  for (const Row& row : module.rows)
+    if (row.call) {
+      lua_pushcfunction(L, row.call);
+      lua_setfield(L, -2, row.name.c_str());
+    }
+  lua_pushvalue(L, -1);                              // kept for provide_scripted()
+  lua_rawsetp(L, LUA_REGISTRYINDEX, &module);
+  lua_newtable(L);                                   // metatable of functions: properties
+  set_closure(L, "__index", module_index, module, false);
+  lua_setmetatable(L, -2);
+  lua_setfield(L, -2, "__index");
+  set_closure(L, "__newindex", module_newindex, module, false);
+  lock(L, module.name);
+  lua_setmetatable(L, -2);
+  lua_setfield(L, globals, module.name.c_str());
+}
+
+int read_only_newindex(lua_State* L) {
+  return at_border(L, [L]() -> int {
+    const char* name = lua_tostring(L, lua_upvalueindex(1));
+    fail("'", name, "' belongs to Lua and cannot be changed; write a function of your own instead of ", name, ".", key_text(L, 2));
+  });
+}
+
+int read_only_index(lua_State* L) {
+  return at_border(L, [L]() -> int {
+    std::vector<std::string> names;
+    lua_pushvalue(L, 1);
+    for (lua_pushnil(L); lua_next(L, -2); lua_pop(L, 1))
+      if (lua_type(L, -2) == LUA_TSTRING) names.emplace_back(lua_tostring(L, -2));
+    const std::string key = key_text(L, 2);
+    fail(lua_tostring(L, lua_upvalueindex(1)), " has no '", key, "'", did_you_mean(key, names));
+  });
+}
+
+}  // namespace
+
+void fail_unknown(lua_State*, const Area& area, const std::string& owner, const std::string& name) {
+  // Known to a component of the node, and so only at the wrong place?
+  if (area.name == "node")
+    for (const char* part : {"body", "mesh", "material", "light", "camera"}) {
+      const Area& component = tumble::area(part);
+      const Row* row = component.find(name);
+      const bool field = component.described && component.described->field(name);
+      if (row || field)
+        fail(owner, " has no '", name, "'; it belongs to the ", part, ": node.", part, row && row->method && row->call ? ":" : ".", name);
+    }
+  fail(owner, " has no '", name, "'", did_you_mean(name, area.names()));
+}
+
+void make_read_only(lua_State* L, const char* name) {
+  lua_newtable(L);      // proxy
+  lua_newtable(L);      // metatable
+  lua_rotate(L, -3, -1);  // proxy, metatable, content
+  lua_newtable(L);      // metatable of the content: unknown names
+  lua_pushstring(L, name);
+  lua_pushcclosure(L, read_only_index, 1);
+  lua_setfield(L, -2, "__index");
+  lua_setmetatable(L, -2);
+  lua_setfield(L, -2, "__index");
+  lua_pushstring(L, name);
+  lua_pushcclosure(L, read_only_newindex, 1);
+  lua_setfield(L, -2, "__newindex");
+  lock(L, name);
+  lua_setmetatable(L, -2);
+}
+
+void provide_scripted(lua_State* L, int exports) {
+  exports = lua_absindex(L, exports);
+  for (const Area* module : all_areas())
+    for (const Row& row : module->rows) {
+      if (!row.scripted || module->object) continue;
+      lua_rawgetp(L, LUA_REGISTRYINDEX, module);
+      lua_getfield(L, exports, module->name.c_str());
+      if (!lua_istable(L, -1) || lua_getfield(L, -1, row.name.c_str()) != LUA_TFUNCTION)
+        fail("boot does not provide ", row.full_name());
+      lua_setfield(L, -3, row.name.c_str());
+      lua_pop(L, 2);
+    }
+}
+
+void open_areas(lua_State* L, int globals) {
+  globals = lua_absindex(L, globals);
+  for (int i = 0; i < kTags; ++i) open_object(L, static_cast<Tag>(static_cast<std::uint32_t>(Tag::vec3) + static_cast<std::uint32_t>(i)));
+  for (const Area* module : all_areas())
+    if (!module->object) open_module(L, *module, globals);
+  open_value_operators(L);
+  open_children(L);
+  open_hit_collection(L);
+}
+
+}  // namespace tumble
