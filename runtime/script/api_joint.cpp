@@ -1,0 +1,76 @@
+// Joints.
+#include <algorithm>
+
+#include "base/text.h"
+#include "script/areas.h"
+#include "script/script.h"
+
+namespace tumble {
+
+namespace {
+
+JointArg make(Script& s, const char* type, const Value& options) { return {s.add_joint(type, options, std::string("joint.") + type)}; }
+JointArg fixed(Script& s, Value options) { return make(s, "fixed", options); }
+JointArg hinge(Script& s, Value options) { return make(s, "hinge", options); }
+JointArg slider(Script& s, Value options) { return make(s, "slider", options); }
+JointArg ball(Script& s, Value options) { return make(s, "ball", options); }
+
+JointRecord& record(Script& s, JointArg j) { return *s.engine().joint(j.id); }
+JointState state(Script& s, JointArg j) {
+  World* world = s.engine().world();
+  const JointRecord& joint = record(s, j);
+  return world && joint.id && world->has(joint.id) ? world->state(joint.id) : JointState{};
+}
+
+std::string type(Script& s, JointArg j) { return record(s, j).type; }
+std::string name(Script& s, JointArg j) { return record(s, j).name; }
+NodeRef a(Script& s, JointArg j) { return {record(s, j).a}; }
+std::optional<NodeRef> b(Script& s, JointArg j) {
+  const NodeId node = record(s, j).b;
+  return node ? std::optional(NodeRef{node}) : std::nullopt;
+}
+double angle_or_position(Script& s, JointArg j, const char* property, const char* joint) {
+  if (record(s, j).type != joint) fail("joint.", property, ": belongs to a ", joint, ", and this is a ", record(s, j).type);
+  return state(s, j).position;
+}
+double angle(Script& s, JointArg j) { return angle_or_position(s, j, "angle", "hinge"); }
+double angle_degrees(Script& s, JointArg j) { return degrees(angle_or_position(s, j, "angle_degrees", "hinge")); }
+double position(Script& s, JointArg j) { return angle_or_position(s, j, "position", "slider"); }
+double speed(Script& s, JointArg j) { return state(s, j).speed; }
+Vec3 force(Script& s, JointArg j) { return state(s, j).force; }
+Vec3 torque(Script& s, JointArg j) { return state(s, j).torque; }
+bool is_broken(Script& s, JointArg j) { return record(s, j).broken; }
+void destroy(Script& s, JointArg j) { s.engine().destroy_joint(j.id); }
+
+}  // namespace
+
+bool Script::joint_has_option(const std::string&, const std::string& name) const {
+  static const std::vector<std::string> names = {
+      "anchor", "axis", "world_anchor", "world_axis", "break_force", "break_torque", "collide_connected", "enabled",
+      "min", "max", "min_degrees", "max_degrees", "motor", "spring", "friction"};
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+void rows_joint_module(Area& m) {
+  m.fn<fixed>("fixed", "Welds two bodies.", "options").writes().takes(0, "joint options");
+  m.fn<hinge>("hinge", "Lets a turn about an axis (a revolute joint).", "options").writes().takes(0, "hinge options");
+  m.fn<slider>("slider", "Lets a slide along an axis (a prismatic joint).", "options").writes().takes(0, "slider options");
+  m.fn<ball>("ball", "Lets a turn freely about a point (a spherical joint).", "options").writes().takes(0, "ball options");
+}
+
+void rows_joint(Area& m) {
+  m.prop<type>("type", "\"fixed\", \"hinge\", \"slider\" or \"ball\".");
+  m.prop<name>("name", "The name it is found by: node:joint(name).");
+  m.prop<a>("a", "The first node; anchor and axis are in its space.");
+  m.prop<b>("b", "The second node, or nil for the world.");
+  m.prop<angle>("angle", "Of a hinge: how far a has turned against b since it was made, rad.");
+  m.prop<angle_degrees>("angle_degrees", "The same in degrees.");
+  m.prop<position>("position", "Of a slider: how far a has slid against b since it was made, m.");
+  m.prop<speed>("speed", "How fast that changes, rad/s or m/s.");
+  m.prop<force>("force", "What it pushed a with in the last tick, N.");
+  m.prop<torque>("torque", "What it twisted a with in the last tick, N m.");
+  m.prop<is_broken>("is_broken", "Has it broken?");
+  m.method<destroy>("destroy", "Frees the bodies.").acts();
+}
+
+}  // namespace tumble
