@@ -1,0 +1,413 @@
+#include "script/core.h"
+
+#include <algorithm>
+
+#include "base/text.h"
+#include "script/embedded.h"
+#include "script/sandbox.h"
+#include "script/bind.h"
+#include "script/script.h"
+
+namespace tumble {
+
+// A friend of Script: everything here is for boot's eyes only.
+struct CoreApi {
+  static Script& script(lua_State* L) { return script_of(L); }
+  static std::string string_at(lua_State* L, int index) {
+    std::size_t size = 0;
+    const char* text = lua_tolstring(L, index, &size);
+    return text ? std::string(text, size) : std::string();
+  }
+  static int push_text(lua_State* L, const std::optional<std::string>& text) {
+    if (text) lua_pushlstring(L, text->data(), text->size());
+    else lua_pushnil(L);
+    return 1;
+  }
+
+  // ---- files
+  static int part(lua_State* L) {
+    const std::string path = "boot/" + string_at(L, 1) + ".lua";
+    const std::string_view text = embedded_script(path);
+    if (luaL_loadbufferx(L, text.data(), text.size(), ("@" + path).c_str(), "t") != LUA_OK) return lua_error(L);
+    lua_call(L, 0, 1);
+    return 1;
+  }
+  static int read(lua_State* L) {
+    return at_border(L, [L] { return push_text(L, script(L).host_.read(string_at(L, 1))); });
+  }
+  static int read_std(lua_State* L) {
+    const std::string_view text = embedded_script("std/" + string_at(L, 1) + ".lua");
+    return push_text(L, text.empty() ? std::nullopt : std::optional(std::string(text)));
+  }
+  static int list_scripts(lua_State* L) {
+    return at_border(L, [L] {
+      std::vector<std::string> names;
+      for (const std::string& path : script(L).host_.list(""))
+        if (path.ends_with(".lua")) names.push_back(path.substr(0, path.size() - 4));
+      for (const std::string& path : embedded_scripts())
+        if (path.starts_with("std/")) names.push_back(path.substr(4, path.size() - 8));
+      return LuaType<std::vector<std::string>>::push(L, names);
+    });
+  }
+  // The script to run first; "" where a game is scenes alone.
+  static int entry(lua_State* L) { return push_text(L, script(L).host_.entry); }
+  static int compile(lua_State* L) {
+    std::size_t size = 0;
+    const char* text = lua_tolstring(L, 1, &size);
+    // Text only: bytecode can crash the machine that runs it.
+    const int status = luaL_loadbufferx(L, text, size, ("@" + string_at(L, 2)).c_str(), "t");
+    if (status != LUA_OK) {
+      lua_pushnil(L);
+      lua_insert(L, -2);
+      return 2;
+    }
+    lua_pushvalue(L, 3);
+    lua_setupvalue(L, -2, 1);
+    return 1;
+  }
+  static int set_file(lua_State* L) {
+    Script& s = script(L);
+    lua_pushlstring(L, s.declaring_file_.data(), s.declaring_file_.size());
+    s.declaring_file_ = string_at(L, 1);
+    return 1;
+  }
+  // The text of a function of that name at the top level, to see whether start() changed.
+  static int function_text(lua_State* L) {
+    const std::string text = string_at(L, 1), name = "function " + string_at(L, 2) + "(";
+    std::size_t begin = text.rfind(name, 0) == 0 ? 0 : text.find("\n" + name);
+    if (begin == std::string::npos) return lua_pushliteral(L, ""), 1;
+    const std::size_t end = text.find("\nend", begin);
+    const std::size_t line = text.find('\n', begin + 1);
+    const std::size_t stop = std::min(end == std::string::npos ? text.size() : end, text.find("\nfunction", line == std::string::npos ? begin : line));
+    const std::string part = text.substr(begin, stop - begin);
+    return lua_pushlstring(L, part.data(), part.size()), 1;
+  }
+
+  // ---- staging
+  static int begin_staging(lua_State* L) { return script(L).begin_staging(), 0; }
+  static int drop_staging(lua_State* L) { return script(L).drop_staging(), 0; }
+  static int check_declarations(lua_State* L) {
+    return at_border(L, [L] {
+      if (script(L).refused_) fail("the top level of a file called what only functions may call (an error that pcall hid); put it in start()");
+      return 0;
+    });
+  }
+  static void push_changes(lua_State* L, const std::vector<CommitResult::Change>& changes) {
+    lua_newtable(L);
+    lua_Integer n = 0;
+    for (const CommitResult::Change& change : changes) {
+      lua_newtable(L);
+      script(L).push_node(change.node);
+      lua_setfield(L, -2, "node");
+      push_value(L, change.behaviours.is_nil() ? Value(Map{}) : change.behaviours);
+      lua_setfield(L, -2, "behaviours");
+      push_value(L, change.before.is_nil() ? Value(Map{}) : change.before);
+      lua_setfield(L, -2, "before");
+      lua_rawseti(L, -2, ++n);
+    }
+  }
+  static int commit(lua_State* L) {
+    return at_border(L, [L] {
+      const CommitResult result = script(L).commit(lua_toboolean(L, 1));
+      lua_newtable(L);
+      push_changes(L, result.added);
+      lua_setfield(L, -2, "added");
+      push_changes(L, result.changed);
+      lua_setfield(L, -2, "changed");
+      LuaType<std::vector<std::string>>::push(L, result.log);
+      lua_setfield(L, -2, "log");
+      return 1;
+    });
+  }
+  static int begin_late(lua_State* L) { return lua_pushinteger(L, static_cast<int>(script(L).phase_)), 1; }
+  static int end_late(lua_State* L) {
+    script(L).phase_ = static_cast<Phase>(lua_tointeger(L, 1));
+    return 0;
+  }
+  static int declared_nodes(lua_State* L) {
+    Script& s = script(L);
+    lua_newtable(L);
+    lua_Integer n = 0;
+    for (const auto& node : s.staging_ ? s.staged_.nodes : s.declared_.nodes) {
+      s.push_node(node.handle);
+      lua_rawseti(L, -2, ++n);
+    }
+    return 1;
+  }
+  static int node_key(lua_State* L) {
+    Script& s = script(L);
+    const NodeId* id = object_at<NodeId>(L, 1, Tag::node);
+    for (const auto& node : s.staging_ ? s.staged_.nodes : s.declared_.nodes)
+      if (id && node.handle == *id) return lua_pushlstring(L, node.key.data(), node.key.size()), 1;
+    return lua_pushliteral(L, "node"), 1;
+  }
+
+  // ---- nodes
+  static NodeId node_at(lua_State* L, int index) {
+    const NodeId* id = object_at<NodeId>(L, index, Tag::node);
+    return id ? *id : NodeId{};
+  }
+  static int alive(lua_State* L) { return lua_pushboolean(L, script(L).live_.alive(node_at(L, 1))), 1; }
+  static int node_enabled(lua_State* L) {
+    Script& s = script(L);
+    const NodeId id = node_at(L, 1);
+    return lua_pushboolean(L, s.live_.scene.get(id) && s.live_.scene.enabled_in_tree(id)), 1;
+  }
+  static int mark(lua_State* L) { return script(L).mark_scripted(node_at(L, 1)), 0; }
+  static int scripted_nodes(lua_State* L) {
+    Script& s = script(L);
+    lua_newtable(L);
+    lua_Integer n = 0;
+    for (const NodeId id : s.scripted_nodes()) {
+      s.push_node(id);
+      lua_rawseti(L, -2, ++n);
+    }
+    return 1;
+  }
+  static int find_node(lua_State* L) {
+    return at_border(L, [L] {
+      Script& s = script(L);
+      const std::string path = string_at(L, 1);
+      Engine& engine = s.engine();
+      NodeId id = engine.scene.find_id(path);
+      if (!id && engine.scene_root && engine.scene.get(engine.scene_root)) id = engine.scene.find(path, engine.scene_root);
+      if (!id) id = engine.scene.get_by_path(path, {}, string_at(L, 2));
+      s.push_node(id);
+      return 1;
+    });
+  }
+  static int take_lists_changed(lua_State* L) {
+    lua_pushboolean(L, script(L).lists_changed_);
+    script(L).lists_changed_ = false;
+    return 1;
+  }
+  static int lists_changed(lua_State* L) { return script(L).lists_changed(), 0; }
+
+  // ---- time
+  static int now(lua_State* L) { return lua_pushnumber(L, script(L).seconds_now), 1; }
+  static int tick(lua_State* L) { return lua_pushinteger(L, static_cast<lua_Integer>(script(L).live_.tick)), 1; }
+  static int tick_seconds(lua_State* L) { return lua_pushnumber(L, 1 / script(L).live_.settings.tick_rate), 1; }
+
+  // ---- calls and errors
+  static int protected_call(lua_State* L) {
+    const bool ok = script(L).protected_call_on(L, lua_gettop(L) - 1, 0);
+    return lua_pushboolean(L, ok), 1;
+  }
+  // Like protected, but the failure is handed back rather than reported.
+  static int try_call(lua_State* L) {
+    const int status = lua_pcall(L, lua_gettop(L) - 1, 0, 0);
+    if (status != LUA_OK && script(L).over_time()) return lua_error(L);
+    lua_newtable(L);
+    lua_pushboolean(L, status == LUA_OK);
+    lua_setfield(L, -2, "ok");
+    if (status != LUA_OK) {
+      lua_pushvalue(L, -2);
+      lua_setfield(L, -2, "message");
+    }
+    return 1;
+  }
+  // An error at the place of the nearest game file on the stack, not at boot's own line.
+  static int raise_error(lua_State* L) {
+    lua_Debug record;
+    for (int level = 1; lua_getstack(L, level, &record); ++level) {
+      lua_getinfo(L, "Sl", &record);
+      if (record.source[0] != '@' || record.currentline < 0 || std::string_view(record.source).starts_with("@boot/")) continue;
+      lua_pushfstring(L, "%s:%d: %s", record.source + 1, record.currentline, lua_tostring(L, 1));
+      return lua_error(L);
+    }
+    lua_settop(L, 1);
+    return lua_error(L);
+  }
+  static int report(lua_State* L) {
+    script(L).report_failure(string_at(L, 1), string_at(L, 2));
+    return 0;
+  }
+  static int report_coroutine(lua_State* L) {
+    lua_State* co = lua_tothread(L, 2);
+    luaL_traceback(L, co, nullptr, 0);
+    std::string message = lua_isstring(L, 1) ? string_at(L, 1) : luaL_tolstring(L, 1, nullptr);
+    luaL_traceback(L, co, nullptr, 0);
+    const std::string traceback = string_at(L, -1);
+    Script& s = script(L);
+    if (s.over_time()) s.reset_watchdog(co);
+    s.report_failure(message, traceback);
+    return 0;
+  }
+  static int traceback(lua_State* L) {
+    luaL_traceback(L, L, lua_isstring(L, 1) ? lua_tostring(L, 1) : luaL_tolstring(L, 1, nullptr), 1);
+    return 1;
+  }
+  static int log(lua_State* L) {
+    const std::string level = string_at(L, 1);
+    script(L).log(level == "warning" ? LogLevel::warning : level == "error" ? LogLevel::error : LogLevel::note, string_at(L, 2));
+    return 0;
+  }
+  static int permit_act(lua_State* L) {
+    return at_border(L, [L] {
+      Row row;
+      row.area = string_at(L, 1);
+      row.permit = Permit::act;
+      const Phase phase = script(L).phase();
+      if (phase == Phase::declare) script(L).refuse_declaration(), fail(row.area, ": not at the top level of a file, which runs again at every save; put it in start()");
+      if (phase == Phase::frame) fail(row.area, ": frame only draws; change things in update or late_update");
+      if (phase == Phase::watch) fail(row.area, ": a bot may read everything but change only its input");
+      return 0;
+    });
+  }
+
+  // ---- values
+  static int nearest_word(lua_State* L) {
+    std::vector<std::string> words;
+    for (lua_Integer i = 1; lua_rawgeti(L, 2, i) == LUA_TSTRING; ++i, lua_pop(L, 1)) words.emplace_back(lua_tostring(L, -1));
+    const std::string word = nearest(string_at(L, 1), words);
+    return push_text(L, word.empty() ? std::nullopt : std::optional(word));
+  }
+  static int short_text(lua_State* L) {
+    std::string text;
+    if (lua_type(L, 1) == LUA_TSTRING) text = describe_argument(L, 1);
+    else if (lua_type(L, 1) == LUA_TNUMBER) text = lua_isinteger(L, 1) ? std::to_string(lua_tointeger(L, 1)) : number_text(lua_tonumber(L, 1));
+    else if (lua_type(L, 1) == LUA_TTABLE) text = table_text(L);
+    else text = describe_argument(L, 1);
+    return lua_pushlstring(L, text.data(), text.size()), 1;
+  }
+  static std::string table_text(lua_State* L) {
+    try {
+      std::string text = tumble::text(value_from_lua(L, 1, ""));
+      return text.size() > 60 ? text.substr(0, 57) + "..." : text;
+    } catch (const Error&) {
+      return "a table";
+    }
+  }
+  static int kind(lua_State* L) {
+    if (lua_type(L, 1) == LUA_TUSERDATA) lua_pushstring(L, tag_name(tag_at(L, 1)));
+    else lua_pushstring(L, luaL_typename(L, 1));
+    return 1;
+  }
+  static int same(lua_State* L) {
+    const bool numbers = lua_type(L, 1) == LUA_TNUMBER && lua_type(L, 2) == LUA_TNUMBER;
+    if (numbers) return lua_pushboolean(L, lua_isinteger(L, 1) == lua_isinteger(L, 2) && lua_compare(L, 1, 2, LUA_OPEQ)), 1;
+    if (lua_type(L, 1) == LUA_TTABLE && lua_type(L, 2) == LUA_TTABLE && !lua_rawequal(L, 1, 2)) {
+      try {
+        return lua_pushboolean(L, value_from_lua(L, 1, "") == value_from_lua(L, 2, "")), 1;
+      } catch (const Error&) {
+        return lua_pushboolean(L, false), 1;
+      }
+    }
+    return lua_pushboolean(L, lua_compare(L, 1, 2, LUA_OPEQ)), 1;
+  }
+  // A copy of a default, so that instances do not share a table.
+  static int copy(lua_State* L) {
+    if (lua_type(L, 1) != LUA_TTABLE) return lua_settop(L, 1), 1;
+    return at_border(L, [L] { return push_value(L, value_from_lua(L, 1, "behaviour")), 1; });
+  }
+  static int as_vec3(lua_State* L) {
+    if (vec3_at(L, 1)) return lua_settop(L, 1), 1;
+    if (!lua_istable(L, 1) || lua_rawlen(L, 1) != 3) return lua_pushnil(L), 1;
+    double n[3];
+    for (int i = 0; i < 3; ++i) {
+      if (lua_rawgeti(L, 1, i + 1) != LUA_TNUMBER) return lua_pushnil(L), 1;
+      n[i] = lua_tonumber(L, -1);
+    }
+    return push_vec3(L, {n[0], n[1], n[2]}), 1;
+  }
+  static int as_color(lua_State* L) {
+    if (object_at<Color>(L, 1, Tag::color)) return lua_settop(L, 1), 1;
+    if (lua_type(L, 1) != LUA_TSTRING) return lua_pushnil(L), 1;
+    const auto color = parse_color(lua_tostring(L, 1));
+    if (!color) return lua_pushnil(L), 1;
+    return push_object(L, Tag::color, *color), 1;
+  }
+  static int keys(lua_State* L) { return push_sorted_keys(L, 1), 1; }
+  static int property(lua_State* L) {
+    push_object(L, Tag::property, 0, 1);
+    lua_pushvalue(L, 1);
+    lua_setiuservalue(L, -2, 1);
+    return 1;
+  }
+  static int property_of(lua_State* L) {
+    if (tag_at(L, 1) != Tag::property) return lua_pushnil(L), 1;
+    lua_getiuservalue(L, 1, 1);
+    return 1;
+  }
+
+  // ---- coroutines
+  static int coroutine(lua_State* L) {
+    lua_State* co = lua_newthread(L);
+    lua_pushvalue(L, 1);
+    lua_xmove(L, co, 1);
+    return 1;
+  }
+  static int yield(lua_State* L) { return lua_yield(L, lua_gettop(L)); }
+  static int status(lua_State* L) {
+    lua_State* co = lua_tothread(L, 1);
+    lua_pushstring(L, lua_status(co) == LUA_YIELD ? "suspended" : lua_status(co) == LUA_OK && lua_gettop(co) > 0 ? "suspended" : "dead");
+    return 1;
+  }
+
+  // ---- bots and tests
+  static int bot_ticks(lua_State* L) { return lua_pushinteger(L, script(L).bot_ticks_), 1; }
+  // The raw name behind an action, so that bots press what a person would.
+  static int raw_name(lua_State* L) {
+    return at_border(L, [L] {
+      const InputMap& input = script(L).live_.input;
+      const std::string call = string_at(L, 1), name = string_at(L, 2);
+      if (!input.knows(name)) fail(call, ": unknown name '", name, "'", did_you_mean(name, input.known_names()));
+      const auto action = input.actions().find(name);
+      if (action == input.actions().end()) return push_text(L, name);
+      if (action->second.empty()) fail(call, ": action '", name, "' has no key in game.json");
+      return push_text(L, action->second.front());
+    });
+  }
+  static int bot_event(lua_State* L) {
+    static const std::pair<const char*, InputKind> kinds[] = {{"press", InputKind::press}, {"release", InputKind::release}, {"value", InputKind::value}, {"pointer_move", InputKind::pointer_move}};
+    Script& s = script(L);
+    if (!s.bot_events_) return 0;
+    InputEvent event;
+    for (const auto& [name, kind] : kinds)
+      if (string_at(L, 1) == name) event.kind = kind;
+    event.name = string_at(L, 2);
+    if (event.kind == InputKind::value) event.value = lua_tonumber(L, 3);
+    if (event.kind == InputKind::pointer_move) {
+      event.x = lua_tonumber(L, 3);
+      event.y = lua_tonumber(L, 4);
+      event.dx = event.x - s.bot_x_;
+      event.dy = event.y - s.bot_y_;
+      s.bot_x_ = event.x;
+      s.bot_y_ = event.y;
+    }
+    s.bot_events_->push_back(event);
+    return 0;
+  }
+  static int test_done(lua_State* L) {
+    script(L).test_outcome = {static_cast<bool>(lua_toboolean(L, 1)), string_at(L, 2)};
+    return 0;
+  }
+};
+
+void push_core(lua_State* L) {
+  static const luaL_Reg functions[] = {
+      {"part", CoreApi::part}, {"read", CoreApi::read}, {"read_std", CoreApi::read_std}, {"list_scripts", CoreApi::list_scripts},
+      {"entry", CoreApi::entry}, {"compile", CoreApi::compile}, {"set_file", CoreApi::set_file}, {"function_text", CoreApi::function_text},
+      {"begin_staging", CoreApi::begin_staging}, {"drop_staging", CoreApi::drop_staging}, {"commit", CoreApi::commit},
+      {"check_declarations", CoreApi::check_declarations}, {"begin_late", CoreApi::begin_late}, {"end_late", CoreApi::end_late},
+      {"declared_nodes", CoreApi::declared_nodes}, {"node_key", CoreApi::node_key}, {"alive", CoreApi::alive},
+      {"node_enabled", CoreApi::node_enabled}, {"mark", CoreApi::mark}, {"scripted_nodes", CoreApi::scripted_nodes},
+      {"find_node", CoreApi::find_node}, {"take_lists_changed", CoreApi::take_lists_changed}, {"lists_changed", CoreApi::lists_changed},
+      {"now", CoreApi::now}, {"tick", CoreApi::tick}, {"tick_seconds", CoreApi::tick_seconds}, {"protected", CoreApi::protected_call},
+      {"try", CoreApi::try_call}, {"raise", CoreApi::raise_error}, {"report", CoreApi::report}, {"report_coroutine", CoreApi::report_coroutine},
+      {"traceback", CoreApi::traceback}, {"log", CoreApi::log}, {"permit_act", CoreApi::permit_act}, {"nearest", CoreApi::nearest_word},
+      {"short", CoreApi::short_text}, {"kind", CoreApi::kind}, {"same", CoreApi::same}, {"copy", CoreApi::copy}, {"as_vec3", CoreApi::as_vec3},
+      {"as_color", CoreApi::as_color}, {"keys", CoreApi::keys}, {"property", CoreApi::property}, {"property_of", CoreApi::property_of},
+      {"coroutine", CoreApi::coroutine}, {"yield", CoreApi::yield}, {"status", CoreApi::status}, {"resume", boot_resume},
+      {"bot_ticks", CoreApi::bot_ticks}, {"raw_name", CoreApi::raw_name}, {"bot_event", CoreApi::bot_event}, {"test_done", CoreApi::test_done},
+  };
+  lua_newtable(L);
+  for (const luaL_Reg& one : functions) {
+    lua_pushcfunction(L, one.func);
+    lua_setfield(L, -2, one.name);
+  }
+  lua_getglobal(L, "debug");
+  lua_setfield(L, -2, "debug");
+}
+
+}  // namespace tumble
