@@ -48,6 +48,7 @@ std::string did_you_mean(std::string_view wrong, const std::vector<std::string>&
 }
 
 std::string number_text(double value) {
+  if (value != value) return "nan";  // whatever its sign bit
   char buffer[32];
   const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
   return {buffer, end};

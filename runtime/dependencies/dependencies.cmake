@@ -75,15 +75,17 @@ endfunction()
 tumble_headers(stb stb_image.h stb)
 tumble_headers(cli11 CLI/CLI.hpp)
 
-# Version 2 is one header, <catch2/catch.hpp>, and a test file that defines CATCH_CONFIG_MAIN. Version 3 is a library with
-# its own main and <catch2/catch_all.hpp>; the definition TUMBLE_CATCH2_VERSION_3 says so.
+# Tests are written for version 2, one header, and a file that defines CATCH_CONFIG_MAIN. Version 3 is a library with its
+# own main, as the definition TUMBLE_CATCH2_VERSION_3 says; catch2_version_3 holds the old header's name for it.
 find_package(Catch2 QUIET)
 if(NOT Catch2_FOUND)
   message(STATUS "Tumble: no Catch2, so the tests are not built; ./tumble installs it")
+  set(TUMBLE_TESTS OFF)
 elseif(Catch2_VERSION VERSION_LESS 3)
   tumble_headers(catch2 catch2/catch.hpp)
 else()
   add_library(tumble::catch2 INTERFACE IMPORTED GLOBAL)
   target_link_libraries(tumble::catch2 INTERFACE Catch2::Catch2WithMain)
+  target_include_directories(tumble::catch2 SYSTEM INTERFACE "${CMAKE_CURRENT_LIST_DIR}/catch2_version_3")
   target_compile_definitions(tumble::catch2 INTERFACE TUMBLE_CATCH2_VERSION_3)
 endif()

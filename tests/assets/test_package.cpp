@@ -4,11 +4,7 @@
 #include "assets/temporary_folder.h"
 #include "base/error.h"
 
-#ifdef TUMBLE_CATCH2_VERSION_3
-#include <catch2/catch_all.hpp>
-#else
 #include <catch2/catch.hpp>
-#endif
 
 #include <cstdint>
 #include <fstream>

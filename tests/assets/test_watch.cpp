@@ -3,11 +3,7 @@
 #include "assets/temporary_folder.h"
 #include "base/error.h"
 
-#ifdef TUMBLE_CATCH2_VERSION_3
-#include <catch2/catch_all.hpp>
-#else
 #include <catch2/catch.hpp>
-#endif
 
 #include <fcntl.h>
 #include <sys/resource.h>
