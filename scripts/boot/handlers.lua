@@ -65,12 +65,13 @@ return function(parts)
 
   -- ---- per tick: all that have the method, in tree order, at a node the slot first, then behaviours by name
   local function build(method)
-    local subjects, functions = {}, {}
+    local subjects, functions, slot_of = {}, {}, {}   -- subjects: an instance, or false for a slot of slot_of[i]
     local live_slots = files.live and files.live.slots or {}
     for _, node in ipairs(nodes()) do
       local slots = live_slots[node]
       if slots and slots[method] and not (slot_stopped[node] and slot_stopped[node][method]) then
-        subjects[#subjects + 1] = { slot = node, name = method }
+        subjects[#subjects + 1] = false
+        slot_of[#subjects] = node
         functions[#functions + 1] = slots[method]
       end
       for _, name in ipairs(sorted_names(node)) do
@@ -83,7 +84,7 @@ return function(parts)
         end
       end
     end
-    return { subjects, functions }
+    return { subjects, functions, slot_of }
   end
 
   local function list_of(method)
@@ -93,17 +94,17 @@ return function(parts)
       list = build(method)
       lists[method] = list
     end
-    return list[1], list[2]
+    return list[1], list[2], list[3]
   end
 
   -- One protected call around the whole loop; after a failure it goes on behind the one that failed.
   local at
-  local function loop(subjects, functions, dt)
+  local function loop(subjects, functions, slot_of, dt)
     while at < #subjects do
       at = at + 1
       local subject = subjects[at]
-      if subject.slot then
-        if core.alive(subject.slot) then functions[at](dt) end
+      if not subject then
+        if core.alive(slot_of[at]) then functions[at](dt) end
       elseif subject.enabled and records[subject].alive then
         tasks.owner = subject
         functions[at](subject, dt)
@@ -112,16 +113,15 @@ return function(parts)
   end
 
   local function run_all(method, dt)
-    local subjects, functions = list_of(method)
+    local subjects, functions, slot_of = list_of(method)
     at = 0
     while at < #subjects do
-      if not core.protected(loop, subjects, functions, dt) then
-        local subject = subjects[at]
-        if subject.slot then
-          slot_stopped[subject.slot] = slot_stopped[subject.slot] or {}
-          slot_stopped[subject.slot][subject.name] = true
+      if not core.protected(loop, subjects, functions, slot_of, dt) then
+        if subjects[at] then
+          stop(subjects[at])
         else
-          stop(subject)
+          slot_stopped[slot_of[at]] = slot_stopped[slot_of[at]] or {}
+          slot_stopped[slot_of[at]][method] = true
         end
         core.lists_changed()
       end
