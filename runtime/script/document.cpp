@@ -20,7 +20,7 @@ const char* const kJointNotes =
 const char* const kFilterNotes =
     "A filter is a table, or what `physics.filter` made of one: `{ groups = { \"walls\" }, tags = { \"coin\" }, ignore = node, "
     "only = node, triggers = false, accept = function(node) return true end }`. Every key may be left out; lists may be a "
-    "single word or node.\n";
+    "single word or node.\n\nThe table is the key `physics` of [game.json](game_json.md).\n";
 
 bool has_content(const Area& area) { return !area.rows.empty() || area.described; }
 
@@ -94,6 +94,27 @@ std::string lua_text(const Value& value) {
   if (const Color* c = value.get<Color>()) return '"' + to_hex(*c) + '"';
   if (value.is<List>() || value.is<Map>()) return "{}";
   return "nil";
+}
+
+std::vector<DocumentedName> documented_names() {
+  std::vector<DocumentedName> names;
+  for (const Page& page : document_pages())
+    for (const Area* area : page.areas) {
+      DocumentedName entry{area->name, area->object, is_word_area(*area), {}, ""};
+      for (const Row& row : area->rows) {
+        entry.kind = row.kind == Row::Kind::function   ? DocumentedName::Kind::function
+                     : row.kind == Row::Kind::property ? DocumentedName::Kind::property
+                                                       : DocumentedName::Kind::event;
+        entry.name = row.name;
+        names.push_back(entry);
+      }
+      entry.kind = DocumentedName::Kind::field;
+      for (const std::string& name : area->object && area->described ? area->described->field_names() : std::vector<std::string>()) {
+        entry.name = name;
+        names.push_back(entry);
+      }
+    }
+  return names;
 }
 
 std::vector<std::pair<std::string, std::string>> document_files() {

@@ -11,4 +11,15 @@ namespace tumble {
 // Path below the top folder -> text, in a fixed order.
 std::vector<std::pair<std::string, std::string>> document_files();
 
+// Every name that the documents tell of, for holding a running game against them.
+struct DocumentedName {
+  enum class Kind { function, property, event, field };
+  std::string area;        // "scene", "node", "globals"
+  bool object = false;     // of an object rather than of a module
+  bool provided = false;   // by scripts/boot or Lua, not by a row of C++
+  Kind kind = Kind::function;
+  std::string name;
+};
+std::vector<DocumentedName> documented_names();
+
 }  // namespace tumble

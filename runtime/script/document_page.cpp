@@ -29,10 +29,10 @@ std::string code_cell(const std::string& text) { return cell('`' + text + '`'); 
 
 // ---- rows
 
-// What stands before the name: "node:", "scene.", nothing.
+// What stands before the name: "node:", "scene.", nothing. A behaviour's events are methods, a node's are plain slots.
 std::string prefix(const Area& area, const Row& row) {
   if (is_word_area(area) && (area.name == "globals" || area.name == "handlers" || area.name == "bot")) return "";
-  const bool method = row.method || (area.object && row.kind == Row::Kind::event);
+  const bool method = row.method || (area.name == "behaviour" && row.kind == Row::Kind::event);
   return area.name + (method ? ":" : ".");
 }
 
@@ -77,18 +77,19 @@ std::vector<const Row*> rows_of(const Area& area, Row::Kind kind) {
 }
 
 void write_area(std::ostream& out, const Area& area) {
+  const std::string owner = (area.object ? "a " : "") + area.name;
   if (const auto rows = rows_of(area, Row::Kind::property); !rows.empty()) {
-    out << "## Properties of " << area.name << "\n\n| name | type | |\n|---|---|---|\n";
+    out << "## Properties of " << owner << "\n\n| name | type | |\n|---|---|---|\n";
     for (const Row* row : rows)
       out << "| " << code_cell(row->name) << " | " << cell(row->returns) << (is_writable(*row) ? "" : ", read only") << " | " << cell(row->doc) << " |\n";
     out << '\n';
   }
   if (const auto rows = rows_of(area, Row::Kind::function); !rows.empty()) {
-    out << "## Functions of " << area.name << "\n\n";
+    out << (area.object ? "## Methods of " : "## Functions of ") << owner << "\n\n";
     for (const Row* row : rows) write_function(out, area, *row);
   }
   if (const auto rows = rows_of(area, Row::Kind::event); !rows.empty()) {
-    out << "## Events of " << area.name << "\n\n| write | called |\n|---|---|\n";
+    out << "## Events of " << owner << "\n\n| write | called |\n|---|---|\n";
     for (const Row* row : rows) out << "| " << code_cell("function " + signature(area, *row)) << " | " << cell(row->doc) << " |\n";
     out << '\n';
   }
@@ -181,8 +182,8 @@ std::string leading_comment(const std::string& text) {
   while (std::getline(lines, line) && line.starts_with("--")) {
     const std::string words = line.size() > 3 ? line.substr(3) : "";
     const bool indented = words.starts_with("  ");
-    if (indented && !code) result += "\n```\n";
-    if (!indented && code) result += "```\n\n";
+    if (indented && !code) result += result.ends_with("\n\n") ? "```\n" : "\n```\n";
+    if (!indented && code) result += words.empty() ? "```\n" : "```\n\n";
     code = indented;
     result += (indented ? words.substr(2) : escaped(words, false)) + '\n';
   }

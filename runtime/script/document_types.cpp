@@ -88,7 +88,7 @@ std::string property_type(const Row& row) {
 
 // ---- functions
 
-void write_doc(std::ostream& out, const std::string& doc) { out << "---" << doc << '\n'; }
+void write_doc(std::ostream& out, const std::string& doc) { out << "--- " << doc << '\n'; }
 
 std::string parameter_names(const Row& row) {
   std::vector<std::string> names;
@@ -139,7 +139,7 @@ void write_field_lines(std::ostream& out, const Type& type, const Area* area, bo
 }
 
 void write_options(std::ostream& out, const Type& type, bool of_joint) {
-  out << "---" << type.summary << "\n---@class " << type.name << "_options" << (of_joint && type.name != "joint" ? ": joint_options" : "") << '\n';
+  out << "--- " << type.summary << "\n---@class " << type.name << "_options" << (of_joint && type.name != "joint" ? ": joint_options" : "") << '\n';
   write_field_lines(out, type, nullptr, true);
   if (type.name == "joint") out << kJointOptions;
   if (type.name == "node") out << kNodeOptions;

@@ -1,0 +1,30 @@
+---@meta
+-- Written by `tumble docs` from the table behind the bindings; change it there.
+
+--- What a behaviour's functions find in self, and the functions that the engine calls.
+---@class behaviour
+---@field node node The node that it is on.
+---@field enabled boolean Off: it gets no updates and its tasks stand still.
+---@field start? fun(self: behaviour) At the end of the tick in which it came, parents first.
+---@field update? fun(self: behaviour, dt: number) Each tick, in tree order.
+---@field late_update? fun(self: behaviour, dt: number) Each tick after physics and its events.
+---@field frame? fun(self: behaviour, dt: number) Each drawn frame; it draws and changes nothing.
+---@field draw_ui? fun(self: behaviour) Each tick: the place for ui calls.
+---@field on_press? fun(self: behaviour, name: string) A key or button went down: first its raw name, then each action it belongs to. Also while paused.
+---@field on_release? fun(self: behaviour, name: string) It went up.
+---@field on_pointer_move? fun(self: behaviour, dx: number, dy: number) The pointer moved, in ui units.
+---@field on_wheel? fun(self: behaviour, steps: number) The wheel turned, away from you.
+---@field on_text? fun(self: behaviour, text: string) Text was typed.
+---@field on_collision_enter? fun(self: behaviour, hit: hit) A body began to touch this one.
+---@field on_collision_stay? fun(self: behaviour, hit: hit) A body goes on touching this one; told only where a handler exists.
+---@field on_collision_exit? fun(self: behaviour, hit: hit) A body ceased to touch this one.
+---@field on_trigger_enter? fun(self: behaviour, hit: hit) A body came into this trigger, or this body into a trigger.
+---@field on_trigger_stay? fun(self: behaviour, hit: hit) It is still inside.
+---@field on_trigger_exit? fun(self: behaviour, hit: hit) It left.
+---@field on_joint_break? fun(self: behaviour, joint: joint) A joint of this body broke.
+---@field on_sleep? fun(self: behaviour) The body fell asleep.
+---@field on_wake? fun(self: behaviour) The body woke.
+---@field on_reload? fun(self: behaviour) After changed files were taken over.
+---@field on_destroy? fun(self: behaviour) Its node ends, or it is taken off.
+---@field [string] any
+local behaviour = {}

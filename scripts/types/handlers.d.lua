@@ -1,0 +1,17 @@
+---@meta
+-- Written by `tumble docs` from the table behind the bindings; change it there.
+
+--- Functions of main.lua that the engine calls by their names. `function on_<message>(...)` answers scene.send.
+---@class handlers
+---@field start? fun() Once, after the files have run.
+---@field on_scene_start? fun(name: string) After each load or restart of a scene.
+---@field update? fun(dt: number) Each tick.
+---@field late_update? fun(dt: number) Each tick after physics and its events: cameras, followers.
+---@field frame? fun(dt: number) Each drawn frame; it draws and changes nothing.
+---@field draw_ui? fun() Each tick, also while paused: the place for ui calls.
+---@field on_press? fun(name: string) A key or button went down: first its raw name, then each action it belongs to. Also while paused.
+---@field on_release? fun(name: string) It went up.
+---@field on_pointer_move? fun(dx: number, dy: number) The pointer moved, in ui units.
+---@field on_wheel? fun(steps: number) The wheel turned, away from you.
+---@field on_text? fun(text: string) Text was typed.
+---@field on_reload? fun() After changed files were taken over.
