@@ -61,14 +61,18 @@ local function board(name)
   end
 end
 
--- Stands still on the platform until it has brought the player near that place.
-local function ride_to(name, height)
+-- Stands still on the platform until it rests somewhere else.
+local function ride(name)
   return function()
-    local target = scene.get(name)
+    local platform = scene.get(name)
+    local from = platform.world_position
+    local last = from
     steer(vec3.zero)
     return wait_until(function()
-      local gap = target.world_position - player.world_position
-      return math.abs(gap.y + height) < 0.05 and gap:with_y(0):length() < 4.9
+      local here = platform.world_position
+      local rests = here == last
+      last = here
+      return rests and here:distance(from) > 1
     end, 15)
   end
 end
@@ -77,9 +81,9 @@ end
 local sections = {
   { walk_to "coin 1", walk_to "start", walk_to "coin 3", walk_to "meadow", walk_to "coin 4", walk_to "step 1",
     walk_to("checkpoint 1", 0.6) },
-  { walk_to "coin 5", walk_to "lookout", board "ferry", ride_to("forest", 1.1), walk_to "forest", walk_to("stone 1", 0.3),
+  { walk_to "coin 5", walk_to "lookout", board "ferry", ride "ferry", walk_to "forest", walk_to("stone 1", 0.3),
     walk_to("wheel", 0.3), walk_to("stone 2", 0.3), walk_to("checkpoint 2", 0.6) },
-  { walk_to "coin 10", walk_to "fort", walk_to("pier", 0.3), board "lift", ride_to("height", 1.1), walk_to "height",
+  { walk_to "coin 10", walk_to "fort", walk_to("pier", 0.3), board "lift", ride "lift", walk_to "height",
     walk_to("beam", 0.3), walk_to "summit", walk_to("goal", 0.2) },
 }
 

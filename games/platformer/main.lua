@@ -23,6 +23,9 @@ end
 
 function update(dt)
   if state == "playing" then seconds = seconds + dt end
+end
+
+function late_update()
   local report = game.report
   report.coins, report.falls, report.seconds, report.score = coins, falls, seconds, score()
 end
@@ -83,8 +86,12 @@ local function playing_screen()
   ui.box { x = 16, y = 16, width = 268, height = 76, color = paper }
   ui.text(("Coins %d / %d"):format(coins, all_coins), { x = 32, y = 24, size = 30, color = ink })
   ui.bar(coins / math.max(1, all_coins), { x = 32, y = 66, width = 236, height = 12, color = gold })
+  ui.box { x = ui.width - 136, y = 16, width = 120, height = 46, color = paper }
   ui.text(clock(), { at = "top_right", size = 30, color = ink })
-  if time.now < news_until then ui.text(news, { at = "top", size = 34, color = gold }) end
+  if time.now < news_until then
+    ui.box { x = (ui.width - 440) / 2, y = 16, width = 440, height = 54, color = paper }
+    ui.text(news, { at = "top", size = 34, color = gold })
+  end
 end
 
 local screens = {
@@ -97,7 +104,7 @@ local screens = {
     card("Paused", { "Escape  go on", "R  start again" })
   end,
   done = function()
-    card("You made it!", { ("%d of %d coins"):format(coins, all_coins), ("%s minutes, %d falls"):format(clock(), falls),
+    card("You made it!", { ("%d of %d coins"):format(coins, all_coins), ("%s  with %d falls"):format(clock(), falls),
       ("Score %d"):format(score()), "", "R  play again" })
   end,
 }

@@ -8,6 +8,7 @@ local Player = behaviour {
 
 function Player:start()
   self.character = self.node.behaviours.character
+  self.figure = self.node:get("figure")           -- what is seen; the node itself is a capsule that need not turn
   self.home = self.node.world_position
 end
 
@@ -19,8 +20,7 @@ function Player:update(dt)
   if input.was_released("jump") then self.character:cut_jump() end
 
   if wish:length() > 0.1 then
-    local facing = self.node.rotation:slerp(quat.look(wish), 1 - math.exp(-dt / self.turn_seconds))
-    self.node.rotation = facing
+    self.figure.rotation = self.figure.rotation:slerp(quat.look(wish), 1 - math.exp(-dt / self.turn_seconds))
   end
   if self.node.world_position.y < self.fall_limit then self:on_hurt() end
 end
@@ -30,6 +30,14 @@ function Player:wish()
   local view = scene.camera
   local ahead = view.forward:with_y(0):normalized()
   return (view.right * input.axis("left", "right") + ahead * input.axis("back", "forward")):clamped(1)
+end
+
+-- The figure stretches as it jumps and is squashed as it lands.
+function Player:on_jumped() tween(self.figure, 0.12, { scale = vec3(0.85, 1.2, 0.85) }, { ease = "out", back = true }) end
+
+function Player:on_land(speed)
+  local squash = math.clamp(speed / 40, 0, 0.35)
+  tween(self.figure, 0.09, { scale = vec3(1 + squash, 1 - squash, 1 + squash) }, { ease = "out", back = true })
 end
 
 -- Sent by hazards. Back to the last checkpoint.

@@ -83,7 +83,7 @@ end
 -- Out of whatever moved into it.
 function Character:push_out(place)
   for _ = 1, 4 do
-    local nearest = physics.penetrations(self.shape, place, SKIN / 2, self.others)[1]
+    local nearest = physics.penetrations(self.shape, place, SKIN / 100, self.others)[1]
     if not nearest then break end
     place = place + nearest.normal * (SKIN - nearest.distance)
   end
