@@ -3,27 +3,30 @@
 local hoop = vec3(0, 3.05, -4.2)
 
 scene.add { name = "sun", rotation_degrees = vec3(-55, 35, 0), light = "sun" }
-scene.add { name = "camera", position = vec3(0, 2.3, 3.2), camera = { field_of_view_degrees = 58 } }
+scene.add { name = "camera", position = vec3(0, 2.6, 3.8), rotation_degrees = vec3(-5, 0, 0),
+  camera = { field_of_view_degrees = 48 } }
 
 -- The ball bounces by what it hits: of two restitutions the larger one counts.
-scene.add { name = "ball", position = vec3(0, 1.5, 0), color = "darkorange",
+local ball = scene.add { name = "ball", position = vec3(0, 1.5, 0), color = "darkorange",
   mesh = { shape = "sphere", radius = 0.12 }, behaviours = { ball = {} },
   body = { type = "kinematic", mass = 0.62, restitution = 0.2, continuous = true, group = "ball" } }
+for _, turn in ipairs { vec3(0, 0, 0), vec3(90, 0, 0), vec3(0, 0, 90) } do   -- seams, to see it spin
+  scene.add { parent = ball, rotation_degrees = turn, color = "#402010", mesh = { shape = "torus", radius = 0.119, thickness = 0.005 } }
+end
 
 scene.add { name = "floor", position = vec3(0, -0.1, -2), color = "burlywood",
-  mesh = { shape = "box", size = vec3(14, 0.2, 13) }, body = { type = "static", restitution = 0.8 } }
+  mesh = { shape = "box", size = vec3(24, 0.2, 13) }, body = { type = "static", restitution = 0.8 } }
 
 local function paint(name, position, size, color)
   scene.add { name = name, position = position, color = color, mesh = { shape = "box", size = size } }
 end
-paint("key", vec3(0, 0.002, -2.7), vec3(3.6, 0.01, 5.4), "indianred")
-paint("free-throw line", vec3(0, 0.004, 0), vec3(3.6, 0.01, 0.06), "white")
+paint("key", vec3(0, 0.002, -2.7), vec3(3.6, 0.01, 5.4), "firebrick")
 paint("left line", vec3(-1.8, 0.004, -2.7), vec3(0.06, 0.01, 5.4), "white")
 paint("right line", vec3(1.8, 0.004, -2.7), vec3(0.06, 0.01, 5.4), "white")
-paint("base line", vec3(0, 0.004, -5.4), vec3(14, 0.01, 0.06), "white")
+paint("base line", vec3(0, 0.004, -5.4), vec3(24, 0.01, 0.06), "white")
 
 scene.add { name = "wall", position = vec3(0, 0.6, -8.4), color = "slategray",
-  mesh = { shape = "box", size = vec3(14, 1.2, 0.2) }, body = { type = "static", restitution = 0.5 } }
+  mesh = { shape = "box", size = vec3(24, 1.2, 0.2) }, body = { type = "static", restitution = 0.5 } }
 
 -- ---- the hoop: board, ring, net
 scene.add { name = "post", position = vec3(0, 1.7, -5.6), color = "dimgray",
@@ -40,7 +43,7 @@ end
 scene.add { name = "bracket", position = hoop + vec3(0, -0.01, -0.3), color = "orangered",
   mesh = { shape = "box", size = vec3(0.12, 0.04, 0.14) }, body = { type = "static", restitution = 0.4 } }
 scene.add { name = "rim", position = hoop, color = "orangered",
-  mesh = { shape = "torus", radius = 0.23, thickness = 0.02 }, body = { type = "static", restitution = 0.4 } }
+  mesh = { shape = "torus", radius = 0.23, thickness = 0.03 }, body = { type = "static", restitution = 0.4 } }
 
 -- What counts: a narrow trigger on the ring's axis, which only a ball inside the ring can touch.
 scene.add { name = "hoop", position = hoop, behaviours = { hoop = {} },
@@ -61,7 +64,7 @@ end
 local spots = {
   { position = vec3(-2.6, 2.6, -4.2), color = "deepskyblue", points = 1 },
   { position = vec3(2.6, 2.6, -4.2), color = "deepskyblue", points = 1 },
-  { position = vec3(-4, 3.2, -6), color = "gold", points = 2, break_force = 60 },
+  { position = vec3(-5, 3.2, -5.4), color = "gold", points = 2, break_force = 60 },
 }
 for i, spot in ipairs(spots) do
   local top = spot.position

@@ -38,10 +38,11 @@ function on_press(name)
 end
 
 function update(dt)
+  if state == "playing" then
+    seconds_left = math.max(seconds_left - dt, 0)
+    if seconds_left == 0 and ball().state ~= "flying" then finish() end   -- a ball in the air still counts
+  end
   ball().enabled = state == "playing"
-  if state ~= "playing" then return end
-  seconds_left = math.max(seconds_left - dt, 0)
-  if seconds_left == 0 and ball().state ~= "flying" then finish() end   -- a ball in the air still counts
 end
 
 function on_points(points, words)
@@ -67,7 +68,8 @@ end
 
 function draw_ui()
   if state == "playing" then return draw_round() end
-  ui.box { at = "center", width = 640, height = 140 }
+  ui.box { at = "center", width = ui.width, height = 140 }
+  ui.box { x = ui.width / 2 - 380, y = 650, width = 760, height = 54 }
   if state == "title" then
     ui.text("Basketball", { at = "center", size = 84, color = "gold" })
   else

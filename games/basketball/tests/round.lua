@@ -66,7 +66,7 @@ test("the next round starts from nothing", function()
   wait(0.1)
   ball():throw(vec3.zero)
   scene.get("ball"):teleport(vec3(0, 3.6, -4.2))
-  wait(61)
+  wait(60.5)
   expect(game.report.score):equals(2)
   tap("start")                        -- within a second of the end: not taken
   wait(0.1)

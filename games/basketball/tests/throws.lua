@@ -35,7 +35,7 @@ end)
 
 test("another pull gives another score", function()
   play()
-  pull(200, to_the_ring)
+  pull(0, to_the_ring / 2)
   release("pointer")
   wait(5)
   expect(game.report.score):equals(0)
