@@ -1,2 +1,2 @@
 -- expect: the scripts need more memory than the
-function start() string.rep("x", 1 << 40) end
+function start() string.rep("x", 1 << 30) end

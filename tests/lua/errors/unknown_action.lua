@@ -1,2 +1,2 @@
--- expect: input.bind: 
+-- expect: action 'jump': no key or button 'spcae'; did you mean 'space'?
 function start() input.bind("jump", { "spcae" }) end

@@ -112,16 +112,6 @@ test("time.step goes on by one tick while paused", function()
   expect(time.tick - before):equals(1)
 end)
 
-test("half speed runs half the ticks, each as long as ever", function()
-  local record = require "record"
-  wait(0.1)
-  local before = record.ticks
-  time.scale = 0.5
-  wait(2)
-  expect(record.ticks - before):near(60, 1)
-  expect(record.dt):near(tick, 1e-12)
-end)
-
 test("a tween goes from where the value is to where it shall be, evenly", function()
   local node = scene.add { position = vec3(0, 2, 0) }
   local begun = time.now
