@@ -64,7 +64,7 @@ end
 local spots = {
   { position = vec3(-2.6, 2.6, -4.2), color = "deepskyblue", points = 1 },
   { position = vec3(2.6, 2.6, -4.2), color = "deepskyblue", points = 1 },
-  { position = vec3(-5, 3.2, -5.4), color = "gold", points = 2, break_force = 60 },
+  { position = vec3(-5, 3.2, -5.4), color = "gold", points = 2, break_force = 40 },
 }
 for i, spot in ipairs(spots) do
   local top = spot.position

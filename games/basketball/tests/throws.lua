@@ -123,7 +123,8 @@ test("the ball moves no farther in a tick than its speed allows, but back to its
     while ball.state == "flying" do
       wait(0)
       local moved, faster = node.position:distance(last), math.max(speed, node.body.velocity:length())
-      if ball.state == "flying" then expect(moved):below(faster / 60 + 0.01) end
+      -- 5 mm more: within a tick it may still gain g/60 before it bounces.
+      if ball.state == "flying" then expect(moved):below(faster / 60 + 0.005) end
       last, speed = node.position, node.body.velocity:length()
     end
     wait(0.05)
