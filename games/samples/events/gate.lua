@@ -16,6 +16,6 @@ function gate.on_trigger_exit(hit) hit.node.color = "orange" end
 function ball.on_collision_enter(hit)
   print(("%s hit the %s at %.2f m/s, with %.2f N s"):format(ball.name, hit.node.name, hit.speed, hit.impulse))
   local mark = scene.add { position = hit.point, color = "red",
-    mesh = { shape = "cylinder", radius = 0.05 + hit.impulse * 0.03, height = 0.02 } }
+    mesh = { shape = "sphere", radius = 0.05 + hit.impulse * 0.01 } }
   task.after(3, mark.destroy, mark)                          -- nodes may be made and ended in any handler
 end

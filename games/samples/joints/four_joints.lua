@@ -1,5 +1,5 @@
--- Watch: what each joint leaves free. A fixed arm stands out stiffly, a hinge swings in one plane, a slider goes up
--- and down by its motor, a ball joint swings any way. F3 shows anchors and axes.
+-- Watch: what each joint leaves free. The fixed arm does not move at all, the hinge swings in one plane, the slider
+-- goes up and down by its motor, the ball joint swings any way. F3 shows anchors and axes.
 scene.add { name = "camera", position = vec3(0, 2.2, 9), rotation_degrees = vec3(-4, 0, 0), camera = {} }
 
 local function post(name, x)

@@ -2,18 +2,18 @@
 -- a value little by little: the cart drives off and brakes without any code in update().
 scene.add { name = "camera", position = vec3(0, 2, 7), rotation_degrees = vec3(-6, 0, 0), camera = {} }
 scene.add { name = "road", position = vec3(0, -0.05, 0), color = "dimgray", mesh = { shape = "box", size = vec3(12, 0.1, 3) } }
-scene.add { name = "pole", position = vec3(0, 1, -1.8), color = "black", mesh = { shape = "box", size = vec3(0.5, 2.4, 0.3) } }
+scene.add { name = "box", position = vec3(0, 1, -1.8), color = "black", mesh = { shape = "box", size = vec3(0.6, 2, 0.3) } }
 
 local lamps = {}
 for i, name in ipairs { "red", "yellow", "lime" } do
-  lamps[name] = scene.add { name = name, position = vec3(0, 2.4 - i * 0.6, -1.65), color = "black",
+  lamps[name] = scene.add { name = name, position = vec3(0, 2.2 - i * 0.6, -1.65), color = "dimgray",
     mesh = { shape = "sphere", radius = 0.2 } }
 end
 local cart = scene.add { name = "cart", position = vec3(-4, 0.3, 0), color = "tomato",
   mesh = { shape = "box", size = vec3(1, 0.6, 0.7) } }
 
 local function show(name)
-  for _, lamp in pairs(lamps) do tween(lamp, 0.15, { color = "black" }) end
+  for _, lamp in pairs(lamps) do tween(lamp, 0.15, { color = "dimgray" }) end
   tween(lamps[name], 0.15, { color = name })                -- a new tween of a colour takes over from the old one
 end
 
