@@ -28,7 +28,7 @@ end
 }  // namespace
 
 TEST_CASE("reload: a text that did not change changes nothing", "[reload]") {
-  TestGame game({{"main.lua", kCounter}});
+  TestGame game(Files{{"main.lua", kCounter}});
   game.tick(5);
   const std::uint64_t before = game.script->hash();
 
@@ -41,7 +41,7 @@ TEST_CASE("reload: a text that did not change changes nothing", "[reload]") {
 }
 
 TEST_CASE("reload: a changed initial value is taken, other locals keep theirs", "[reload]") {
-  TestGame game({{"main.lua", kCounter}});
+  TestGame game(Files{{"main.lua", kCounter}});
   game.tick(5);
 
   const std::string line = game.save("main.lua", replaced(kCounter, "speed = 2", "speed = 10"));
@@ -52,7 +52,7 @@ TEST_CASE("reload: a changed initial value is taken, other locals keep theirs", 
 }
 
 TEST_CASE("reload: a changed function runs from the next call on", "[reload]") {
-  TestGame game({{"main.lua", kCounter}});
+  TestGame game(Files{{"main.lua", kCounter}});
   game.tick(5);
 
   game.save("main.lua", replaced(kCounter, "return speed", "return speed * 100"));
@@ -62,7 +62,7 @@ TEST_CASE("reload: a changed function runs from the next call on", "[reload]") {
 }
 
 TEST_CASE("reload: a declared node takes a changed colour and keeps its place", "[reload]") {
-  TestGame game({{"main.lua", kCounter}});
+  TestGame game(Files{{"main.lua", kCounter}});
   game.tick(1);
   game.engine->set_position(game.node("ball"), {7, 8, 9});
 
@@ -75,9 +75,10 @@ TEST_CASE("reload: a declared node takes a changed colour and keeps its place", 
 
 TEST_CASE("reload: a node inserted above leaves its neighbours as they are", "[reload]") {
   const std::string before = "scene.add { color = 'red', position = vec3(1, 0, 0) }\nscene.add { color = 'lime', position = vec3(2, 0, 0) }\n";
-  TestGame game({{"main.lua", before}});
+  TestGame game(Files{{"main.lua", before}});
+  game.tick(1);
   const std::size_t count = game.engine->scene.size();
-  const NodeId red = game.engine->scene[game.engine->scene.root()].children.back();
+  const NodeId red = game.engine->scene[game.engine->scene.root()].children.front();
   const Color color = game.engine->scene[red].material->color;
 
   game.save("main.lua", "scene.add { color = 'blue' }\n" + before);
@@ -88,7 +89,7 @@ TEST_CASE("reload: a node inserted above leaves its neighbours as they are", "[r
 }
 
 TEST_CASE("reload: a declaration that is gone takes its node away", "[reload]") {
-  TestGame game({{"main.lua", "scene.add { name = 'a' }\nscene.add { name = 'b' }\n"}});
+  TestGame game(Files{{"main.lua", "scene.add { name = 'a' }\nscene.add { name = 'b' }\n"}});
   game.tick(1);
 
   game.save("main.lua", "scene.add { name = 'a' }\n");
@@ -100,7 +101,7 @@ TEST_CASE("reload: a declaration that is gone takes its node away", "[reload]") 
 
 TEST_CASE("reload: a node destroyed in play stays gone and does not trouble later saves", "[reload]") {
   const std::string text = "local coin = scene.add { name = 'coin' }\nfunction on_press() coin:destroy() end\n";
-  TestGame game({{"main.lua", text}});
+  TestGame game(Files{{"main.lua", text}});
   game.tick(1, {press("space")});
   REQUIRE_FALSE(game.node("coin"));
 
@@ -112,7 +113,7 @@ TEST_CASE("reload: a node destroyed in play stays gone and does not trouble late
 }
 
 TEST_CASE("reload: a syntax error leaves the old code running and is cleared by the next good save", "[reload]") {
-  TestGame game({{"main.lua", kCounter}});
+  TestGame game(Files{{"main.lua", kCounter}});
   game.tick(5);
 
   game.save("main.lua", kCounter + "function (");
@@ -120,7 +121,7 @@ TEST_CASE("reload: a syntax error leaves the old code running and is cleared by 
 
   CHECK(game.number("score") == 20);
   REQUIRE(game.script->shown_error);
-  CHECK(game.script->shown_error->line == 12);
+  CHECK(game.script->shown_error->line == 11);
   CHECK(game.script->shown_error->source == "function (");
 
   game.save("main.lua", kCounter);
@@ -128,7 +129,7 @@ TEST_CASE("reload: a syntax error leaves the old code running and is cleared by 
 }
 
 TEST_CASE("reload: an error half way down the file changes nothing", "[reload]") {
-  TestGame game({{"main.lua", kCounter}});
+  TestGame game(Files{{"main.lua", kCounter}});
   game.tick(5);
   const std::size_t nodes = game.engine->scene.size();
 
@@ -142,7 +143,7 @@ TEST_CASE("reload: an error half way down the file changes nothing", "[reload]")
 }
 
 TEST_CASE("reload: an act at the top level is refused even inside pcall", "[reload]") {
-  TestGame game({{"main.lua", kCounter}});
+  TestGame game(Files{{"main.lua", kCounter}});
 
   game.save("main.lua", kCounter + "pcall(game.finish)\n");
 
@@ -153,7 +154,7 @@ TEST_CASE("reload: an act at the top level is refused even inside pcall", "[relo
 TEST_CASE("reload: a behaviour's changed default reaches living instances, and its state is kept", "[reload]") {
   const std::string mover = "local Mover = behaviour { speed = 1 }\nfunction Mover:start() self.steps = 0 end\n"
                             "function Mover:update(dt) self.steps = self.steps + 1 game.report.steps = self.steps game.report.speed = self.speed end\nreturn Mover\n";
-  TestGame game({{"main.lua", "scene.add { name = 'm', behaviours = { mover = {} } }"}, {"mover.lua", mover}});
+  TestGame game(Files{{"main.lua", "scene.add { name = 'm', behaviours = { mover = {} } }"}, {"mover.lua", mover}});
   game.tick(4);
   REQUIRE(game.failures.empty());
 
@@ -167,7 +168,7 @@ TEST_CASE("reload: a behaviour's changed default reaches living instances, and i
 
 TEST_CASE("reload: a property that the declaration gives stays when the default changes", "[reload]") {
   const std::string mover = "local Mover = behaviour { speed = 1 }\nfunction Mover:update(dt) game.report.speed = self.speed end\nreturn Mover\n";
-  TestGame game({{"main.lua", "scene.add { name = 'm', behaviours = { mover = { speed = 3 } } }"}, {"mover.lua", mover}});
+  TestGame game(Files{{"main.lua", "scene.add { name = 'm', behaviours = { mover = { speed = 3 } } }"}, {"mover.lua", mover}});
   game.tick(1);
 
   game.save("mover.lua", replaced(mover, "speed = 1", "speed = 8"));
@@ -178,7 +179,7 @@ TEST_CASE("reload: a property that the declaration gives stays when the default 
 
 TEST_CASE("reload: a behaviour's new method is used and a failed one gets another chance", "[reload]") {
   const std::string bad = "local B = behaviour {}\nfunction B:update(dt) error('broken') end\nreturn B\n";
-  TestGame game({{"main.lua", "scene.add { name = 'b', behaviours = { b = {} } }"}, {"b.lua", bad}});
+  TestGame game(Files{{"main.lua", "scene.add { name = 'b', behaviours = { b = {} } }"}, {"b.lua", bad}});
   game.tick(3);
   CHECK(game.failures.size() == 1);
 
@@ -191,7 +192,7 @@ TEST_CASE("reload: a behaviour's new method is used and a failed one gets anothe
 TEST_CASE("reload: a module's table keeps its identity and its live values", "[reload]") {
   const std::string module = "local M = { width = 3 }\nM.count = 0\nfunction M.add() M.count = M.count + 1 return M.count * M.width end\nreturn M\n";
   const std::string main = "local court = require 'court'\nlocal kept = court\nfunction update() game.report.n = court.add() game.report.same = kept == court and 1 or 0 end\n";
-  TestGame game({{"main.lua", main}, {"court.lua", module}});
+  TestGame game(Files{{"main.lua", main}, {"court.lua", module}});
   game.tick(2);
   REQUIRE(game.number("n") == 6);
 
@@ -203,7 +204,7 @@ TEST_CASE("reload: a module's table keeps its identity and its live values", "[r
 }
 
 TEST_CASE("reload: a setting goes back to its default when its line goes", "[reload]") {
-  TestGame game({{"main.lua", "physics.gravity = vec3(0, -1, 0)\n"}});
+  TestGame game(Files{{"main.lua", "physics.gravity = vec3(0, -1, 0)\n"}});
   CHECK(game.script->module_settings().physics.gravity.y == -1);
 
   game.save("main.lua", "-- none\n");
@@ -213,7 +214,7 @@ TEST_CASE("reload: a setting goes back to its default when its line goes", "[rel
 
 TEST_CASE("reload: a setting changed in play stays unless its line changes", "[reload]") {
   const std::string text = "physics.gravity = vec3(0, -1, 0)\nfunction on_press() physics.gravity = vec3(0, -5, 0) end\n";
-  TestGame game({{"main.lua", text}});
+  TestGame game(Files{{"main.lua", text}});
   game.tick(1, {press("space")});
 
   game.save("main.lua", text + "-- more\n");
@@ -224,7 +225,7 @@ TEST_CASE("reload: a setting changed in play stays unless its line changes", "[r
 
 TEST_CASE("reload: a task of a named function calls its new text", "[reload]") {
   const std::string text = "function later() game.report.n = 1 end\nfunction start() task.after(0.1, later) end\n";
-  TestGame game({{"main.lua", text}});
+  TestGame game(Files{{"main.lua", text}});
   game.tick(1);
 
   game.save("main.lua", replaced(text, "n = 1", "n = 2"));
@@ -235,7 +236,7 @@ TEST_CASE("reload: a task of a named function calls its new text", "[reload]") {
 
 TEST_CASE("reload: handler slots of declared nodes take their new text", "[reload]") {
   const std::string text = "local ball = scene.add { name = 'ball' }\nfunction ball.update(dt) game.report.n = 1 end\n";
-  TestGame game({{"main.lua", text}});
+  TestGame game(Files{{"main.lua", text}});
   game.tick(1);
   REQUIRE(game.number("n") == 1);
 
@@ -247,7 +248,7 @@ TEST_CASE("reload: handler slots of declared nodes take their new text", "[reloa
 
 TEST_CASE("reload: random numbers of a top level stay when a line with another call is inserted", "[reload]") {
   const std::string text = "local a = scene.add { name = 'a', position = vec3(random.between(0, 1), 0, 0) }\n";
-  TestGame game({{"main.lua", text}});
+  TestGame game(Files{{"main.lua", text}});
   const Vec3 before = game.position("a");
 
   game.save("main.lua", "local x = random.between(5, 6)\n" + text);
@@ -257,7 +258,7 @@ TEST_CASE("reload: random numbers of a top level stay when a line with another c
 
 TEST_CASE("reload: the time at the top level is always zero", "[reload]") {
   const std::string text = "local born = time.now\nfunction update() game.report.born = born end\n";
-  TestGame game({{"main.lua", text}});
+  TestGame game(Files{{"main.lua", text}});
   game.tick(10);
 
   game.save("main.lua", text + "--\n");
@@ -268,7 +269,7 @@ TEST_CASE("reload: the time at the top level is always zero", "[reload]") {
 
 TEST_CASE("reload: start() is not run again, and the line says so where it changed", "[reload]") {
   const std::string text = "local n = 0\nfunction start() n = n + 1 game.report.n = n end\n";
-  TestGame game({{"main.lua", text}});
+  TestGame game(Files{{"main.lua", text}});
   game.tick(1);
 
   const std::string line = game.save("main.lua", replaced(text, "n = n + 1", "n = n + 5"));
@@ -279,7 +280,7 @@ TEST_CASE("reload: start() is not run again, and the line says so where it chang
 }
 
 TEST_CASE("reload: a game that is faulty at its start begins with the first good save", "[reload]") {
-  TestGame game({{"main.lua", "function ("}});
+  TestGame game(Files{{"main.lua", "function ("}});
   REQUIRE_FALSE(game.started);
 
   CHECK(game.save("main.lua", kCounter) == "loaded");

@@ -7,17 +7,17 @@ using namespace tumble;
 
 TEST_CASE("sandbox: nothing that reaches outside the game is there", "[sandbox]") {
   for (const char* name : {"os", "io", "debug", "package", "load", "loadstring", "dofile", "loadfile", "collectgarbage", "rawset"}) {
-    TestGame game({{"main.lua", std::string("local x = ") + name + "\n"}});
+    TestGame game(Files{{"main.lua", std::string("local x = ") + name + "\n"}});
     INFO(name);
     CHECK_FALSE(game.started);
     CHECK(game.last_error().find(std::string("unknown name '") + name + "'") != std::string::npos);
   }
-  TestGame dump({{"main.lua", "local x = string.dump\n"}});
+  TestGame dump(Files{{"main.lua", "local x = string.dump\n"}});
   CHECK_FALSE(dump.started);
 }
 
 TEST_CASE("sandbox: a loop without an end is stopped after the limit, and pcall does not hide it", "[sandbox]") {
-  TestGame game({{"main.lua", "function update() pcall(function() while true do end end) while true do pcall(error) end end\nfunction late_update() game.report.alive = time.tick end\n"}}, 0.2);
+  TestGame game(Files{{"main.lua", "function update() pcall(function() while true do end end) while true do pcall(error) end end\nfunction late_update() game.report.alive = time.tick end\n"}}, 0.2);
 
   game.tick(2);
 
@@ -28,7 +28,7 @@ TEST_CASE("sandbox: a loop without an end is stopped after the limit, and pcall 
 }
 
 TEST_CASE("sandbox: a loop without an end in a task is stopped too", "[sandbox]") {
-  TestGame game({{"main.lua", "function start() task.spawn(function() wait(0) while true do end end) end\n"}}, 0.2);
+  TestGame game(Files{{"main.lua", "function start() task.spawn(function() wait(0) while true do end end) end\n"}}, 0.2);
 
   game.tick(3);
 
@@ -56,21 +56,21 @@ function start()
   print(table.concat(list, " ") == table.concat(seen, " "))
 end
 )";
-  TestGame game({{"main.lua", text}});
+  TestGame game(Files{{"main.lua", text}});
 
   CHECK(game.last_error() == "");
   CHECK(game.printed() == "-3 2.5 10 x y z false true node 'a' node 'b' node 'c'\nfirst second\ntrue\n");
 }
 
 TEST_CASE("sandbox: no address shows in any text", "[sandbox]") {
-  TestGame game({{"main.lua", "function start() print({}, print, coroutine.create(print), ('%s'):format({})) end\n"}});
+  TestGame game(Files{{"main.lua", "function start() print({}, print, coroutine.create(print), ('%s'):format({})) end\n"}});
 
   CHECK(game.printed().find("0x") == std::string::npos);
   CHECK(game.printed() == "table\tfunction\tthread\ttable\n");
 }
 
 TEST_CASE("frame: it draws and cannot change the world", "[sandbox]") {
-  TestGame game({{"main.lua", "local n = scene.add { name = 'n' }\nfunction frame() n.position = vec3(1, 0, 0) end\n"}});
+  TestGame game(Files{{"main.lua", "local n = scene.add { name = 'n' }\nfunction frame() n.position = vec3(1, 0, 0) end\n"}});
 
   game.frame();
 
@@ -79,7 +79,7 @@ TEST_CASE("frame: it draws and cannot change the world", "[sandbox]") {
 }
 
 TEST_CASE("memory: scripts that want more than their limit get a sentence and the game goes on", "[sandbox]") {
-  TestGame game({{"main.lua", "function update() local t = {} for i = 1, 1e9 do t[i] = ('x'):rep(1000) .. i end end\nfunction late_update() game.report.n = time.tick end\n"}}, 30);
+  TestGame game(Files{{"main.lua", "function update() local t = {} for i = 1, 1e9 do t[i] = ('x'):rep(1000) .. i end end\nfunction late_update() game.report.n = time.tick end\n"}}, 30);
 
   game.tick(2);
 
@@ -91,7 +91,7 @@ TEST_CASE("memory: scripts that want more than their limit get a sentence and th
 TEST_CASE("hash: the same game, seed and input give the same hash; another seed another", "[sandbox]") {
   const std::string text = "function update() scene.add { name = 'n', position = random.in_sphere(3) } end\n";
   auto run = [&](std::uint64_t seed, int frames) {
-    TestGame game({{"main.lua", text + "function frame() random.between(0, 1) end\n"}}, 1, seed);
+    TestGame game(Files{{"main.lua", text + "function frame() random.between(0, 1) end\n"}}, 1, seed);
     for (int i = 0; i < 20; ++i) {
       game.tick(1);
       for (int k = 0; k < frames; ++k) game.frame();

@@ -4,7 +4,7 @@
 
 using namespace tumble;
 
-TestGame::TestGame(std::map<std::string, std::string> texts, double time_limit, std::uint64_t seed) : files(std::move(texts)) {
+TestGame::TestGame(Files texts, double time_limit, std::uint64_t seed) : files(std::move(texts)) {
   const auto settings = files.find("game.json");
   engine = std::make_unique<Engine>(read_settings(settings == files.end() ? "" : settings->second, "game.json"));
   engine->input.set_actions(engine->settings.actions);

@@ -7,10 +7,12 @@
 
 #include "script/script.h"
 
+using Files = std::map<std::string, std::string>;
+
 class TestGame {
  public:
   // Paths and texts; "main.lua" runs first.
-  explicit TestGame(std::map<std::string, std::string> files, double time_limit = 1, std::uint64_t seed = 1);
+  explicit TestGame(Files files, double time_limit = 1, std::uint64_t seed = 1);
 
   void tick(int count = 1, std::vector<tumble::InputEvent> events = {});
   // Saves a file and lets the game notice. Returns the log line of the reload.
@@ -24,7 +26,7 @@ class TestGame {
   tumble::NodeId node(const std::string& path) const { return engine->scene.find(path); }
   tumble::Vec3 position(const std::string& path) const { return engine->scene.world(node(path)).position; }
 
-  std::map<std::string, std::string> files;
+  Files files;
   std::vector<tumble::LogLine> log;
   std::vector<tumble::ScriptFailure> failures;
   std::unique_ptr<tumble::Engine> engine;

@@ -384,3 +384,41 @@ test("two runs are the same to the last digit", function()
   end
   expect(places[2]):equals(places[1])
 end)
+
+-- Walls around a heap of boxes that lie at random, some of them moving.
+local function heap()
+  floor()
+  for _, place in ipairs { vec3(12, 5, 0), vec3(-12, 5, 0), vec3(0, 5, 12), vec3(0, 5, -12) } do
+    box(place, vec3(place.x == 0 and 25 or 1, 12, place.z == 0 and 25 or 1))
+  end
+  for i = 1, 60 do
+    local place = vec3(random.between(-11, 11), random.between(-0.3, 2.5), random.between(-11, 11))
+    local size = vec3(random.between(0.3, 4), random.between(0.2, 2), random.between(0.3, 4))
+    box(place, size, { rotation_degrees = vec3(random.between(-60, 60), random.between(0, 360), 0) })
+  end
+  for i = 1, 3 do
+    box(vec3(0, 4 + 2 * i, 0), vec3(3, 0.4, 3), { body = "kinematic",
+      behaviours = { platform = { travel = vec3(random.between(-7, 7), -1, random.between(-7, 7)), turn_speed = 1 } } })
+    box(vec3(random.between(-11, 11), 6, random.between(-11, 11)), vec3(0.9, 0.9, 0.9), { body = { mass = 25 } })
+  end
+end
+
+test("in a heap of anything it gets into nothing, out of nothing, and hangs nowhere", function()
+  heap()
+  local node, character = walker(vec3(0, 12, 0))
+  local way, hangs = vec3.zero, 0
+  for i = 1, 3000 do
+    if i % 40 == 1 then way = random.direction():with_y(0) * 8 end
+    if random.chance(0.03) then character:jump() end
+    local before = node.position
+    walk(character, way, 1)
+    local place = node.position
+    expect(place.y):above(0.8)
+    expect(math.max(math.abs(place.x), math.abs(place.z))):below(11.5)
+    hangs = place:distance(before) < 1e-4 and not character.is_grounded and hangs + 1 or 0
+    expect(hangs):below(10)
+    for _, hit in ipairs(physics.penetrations(character.shape, place, 0, { ignore = node })) do
+      if hit.body.type == "static" then expect(hit.distance):above(-0.1) end   -- m, squeezed by what moves
+    end
+  end
+end)
