@@ -49,7 +49,7 @@ end
 local function board(name)
   return function()
     local platform = scene.get(name)
-    local last = platform.world_position
+    local last = vec3.zero
     local came = wait_until(function()
       local here = platform.world_position
       local rests = here == last

@@ -68,10 +68,10 @@ end
 
 local ink, paper, gold = "#ffffff", color "#1d2b3acc", "#ffd24a"
 
--- A card in the middle of the screen: a headline and lines below it.
+-- A card at the left of the screen: a headline and lines below it.
 local function card(headline, lines)
-  local width, height = 620, 150 + 38 * #lines
-  local x, y = (ui.width - width) / 2, (ui.height - height) / 2
+  local width, height = 480, 150 + 38 * #lines
+  local x, y = 16, (ui.height - height) / 2
   ui.box { x = x, y = y, width = width, height = height, color = paper }
   ui.box { x = x, y = y, width = width, height = 6, color = gold }
   ui.text(headline, { x = x + 40, y = y + 34, size = 60, color = ink })
@@ -96,7 +96,7 @@ end
 
 local screens = {
   title = function()
-    card("Little Heights", { "Walk   W A S D  or arrows", "Jump   Space  (longer is higher)", "Pause  Escape", "", "Press Space to start" })
+    card("Little Heights", { "Walk   W A S D  or arrows", "Jump   Space,  longer is higher", "Pause  Escape", "", "Press Space to start" })
   end,
   playing = playing_screen,
   paused = function()
