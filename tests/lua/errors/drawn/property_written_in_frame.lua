@@ -1,0 +1,3 @@
+-- expect: position: frame only draws; change things in update or late_update
+local ball = scene.add { name = "ball", mesh = "sphere" }
+function frame(dt) ball.position = ball.position + vec3.up * dt end

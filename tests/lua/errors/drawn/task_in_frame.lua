@@ -1,0 +1,2 @@
+-- expect: frame only draws
+function frame(dt) task.after(1, print) end
