@@ -1,5 +1,5 @@
 -- expect: the scripts need more memory than the
 function start()
-  local all = {}
-  while true do all[#all + 1] = string.rep("x", 1000000) .. #all end
+  local text = "x"
+  while true do text = text .. text end   -- twice as long each time: full long before the watchdog looks
 end
