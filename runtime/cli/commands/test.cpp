@@ -1,0 +1,75 @@
+// test: every test there is, one part of them, or a game's own; closes with a line that counts test cases.
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "cli/commands/commands.h"
+#include "cli/program.h"
+#include "cli/tests.h"
+
+namespace fs = std::filesystem;
+
+namespace tumble::cli {
+
+namespace {
+
+bool is_game(const fs::path& folder) { return fs::exists(folder / "main.lua") || fs::exists(folder / "game.json"); }
+
+std::vector<fs::path> folders_in(const fs::path& folder) {
+  std::vector<fs::path> list;
+  if (fs::is_directory(folder))
+    for (const auto& entry : fs::directory_iterator(folder))
+      if (entry.is_directory()) list.push_back(entry.path());
+  std::sort(list.begin(), list.end());
+  return list;
+}
+
+void run_lua_suite(const fs::path& folder, Tally& tally) {
+  if (folder.filename() == "errors") run_error_scripts(folder, tally);
+  else run_game_tests(folder, tally);
+}
+
+// From inside the tree, so that names are short: tests/lua/api, games/basketball.
+void run_all(Tally& tally) {
+  run_cpp_tests("", tally);
+  for (const fs::path& suite : folders_in("tests/lua")) run_lua_suite(suite, tally);
+  for (const fs::path& game : folders_in("games"))
+    if (fs::is_directory(game / "tests")) run_game_tests(game, tally);
+  run_embed_test(".", tally);
+}
+
+// By its name: a suite of tests/lua, "embed", or C++ tests by tag or by how their titles begin.
+void run_part(const std::string& part, Tally& tally) {
+  if (part == "embed") return run_embed_test(".", tally);
+  const fs::path suite = fs::path("tests/lua") / part;
+  const bool known = fs::is_directory(suite);
+  if (known) run_lua_suite(suite, tally);
+  if (known && !fs::is_directory(fs::path("tests") / part)) return;
+  run_cpp_tests("[" + part + "]," + part + "*", tally);
+  if (tally.passed + tally.failed == 0) throw Error("test: no part '" + part + "'; give a folder of tests or tests/lua, 'embed', or a game's folder");
+}
+
+int test(const std::string& what) {
+  Tally tally;
+  if (!what.empty() && fs::is_directory(what) && is_game(what)) {
+    run_game_tests(what, tally);
+  } else {
+    fs::current_path(source_tree("test"));
+    if (what.empty()) run_all(tally);
+    else run_part(what, tally);
+  }
+  std::cout << '\n' << tally.passed << " passed, " << tally.failed << " failed\n";
+  return tally.failed == 0 && tally.passed > 0 ? 0 : 1;
+}
+
+}  // namespace
+
+void add_test(CLI::App& app, int& status) {
+  auto what = std::make_shared<std::string>();
+  CLI::App* verb = app.add_subcommand("test", "Run all tests, one part of them (physics, script, embed ...), or a game's own");
+  verb->add_option("what", *what, "Nothing: all of them")->type_name("PART|GAME");
+  verb->callback([what, &status] { status = test(*what); });
+}
+
+}  // namespace tumble::cli

@@ -1,0 +1,24 @@
+// The kinds of tests that `tumble test` runs and counts.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace tumble::cli {
+
+// Test cases, added up over everything that ran.
+struct Tally {
+  int passed = 0, failed = 0;
+};
+
+// tumble_tests beside our program, all of it or what a Catch2 filter names. Throws Error where it is not built.
+void run_cpp_tests(const std::string& filter, Tally& tally);
+// The claims in a game's tests/*.lua, each in a game of its own.
+void run_game_tests(const std::filesystem::path& game, Tally& tally);
+// The scripts of a folder that must fail: the first line of each, "-- expect: TEXT", tells what the error must contain.
+void run_error_scripts(const std::filesystem::path& folder, Tally& tally);
+// tests/embed: a host program with a Lua and a Bullet of its own. One test case.
+void run_embed_test(const std::filesystem::path& tree, Tally& tally);
+
+}  // namespace tumble::cli
