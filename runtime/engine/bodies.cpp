@@ -42,6 +42,10 @@ NodeId Engine::node_of(BodyId body) const {
   return world_ && world_->has(body) ? unpack<SceneNode>(world_->user(body)) : NodeId{};
 }
 
+std::pair<NodeId, NodeId> Engine::nodes_of(const ContactEvent& contact) const {
+  return {unpack<SceneNode>(contact.user_a), unpack<SceneNode>(contact.user_b)};
+}
+
 BodyDef Engine::body_def(NodeId node) const {
   const BodyComponent& component = *body(node);
   BodyDef def = component.def;

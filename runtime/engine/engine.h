@@ -90,6 +90,8 @@ class Engine {
   void configure_body(NodeId node, const BodyDef& def, const std::string& call);
   void want_stay(NodeId node, bool on);                 // tell of contacts that go on; no effect without a body
   NodeId node_of(BodyId body) const;
+  // The nodes of a contact, also where its bodies have just gone.
+  std::pair<NodeId, NodeId> nodes_of(const ContactEvent& contact) const;
   World* world() { return world_.get(); }               // nullptr before the first body
   const World* world() const { return world_.get(); }
   void configure_physics(const WorldSettings& physics); // live

@@ -1,6 +1,7 @@
 // What happened in a step, as records in the order in which handlers hear of it.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "physics/body.h"
@@ -18,7 +19,8 @@ enum class EventKind { exit, enter, stay, joint_break, sleep, wake };
 struct ContactEvent {
   EventKind kind = EventKind::enter;
   bool trigger = false;
-  BodyId a, b;                     // a is the older body
+  BodyId a, b;                     // a is the older body; of an exit they may be gone already
+  std::uint64_t user_a = 0, user_b = 0;  // what World::add got with them
   int collider_a = 0, collider_b = 0;
   Vec3 point;                      // deepest point, world; of an exit, the last one
   Vec3 normal;                     // from a towards b

@@ -71,6 +71,8 @@ double axis(Script& s, std::string low, std::string high) {
 void bind(Script& s, std::string action, Value names) {
   std::vector<std::string> list;
   assign(type_of<std::vector<std::string>>(), &list, names, "input.bind");
+  for (const std::string& name : list)
+    if (!is_raw_input_name(name)) fail("input.bind: no key or button '", name, "'", did_you_mean(name, raw_input_names()));
   s.live_engine().input.bind(action, list);
 }
 std::vector<std::string> bindings(Script& s, std::string action) {

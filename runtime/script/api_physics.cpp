@@ -137,8 +137,9 @@ HitData Script::hit_of(const ContactEvent& event, BodyId self) const {
   const bool is_a = event.a == self;
   HitData hit;
   hit.kind = event.trigger ? HitData::Kind::trigger : HitData::Kind::collision;
-  hit.own = live_.node_of(self);
-  hit.node = live_.node_of(is_a ? event.b : event.a);
+  const auto [a, b] = live_.nodes_of(event);
+  hit.own = is_a ? a : b;
+  hit.node = is_a ? b : a;
   hit.collider = (is_a ? event.collider_b : event.collider_a) + 1;
   hit.own_collider = (is_a ? event.collider_a : event.collider_b) + 1;
   hit.point = event.point;

@@ -43,7 +43,7 @@ struct Row {
   Row& gives(std::string text) { returns = std::move(text); return *this; }
   Row& takes(std::size_t parameter, std::string type) { params[parameter].type = std::move(type); return *this; }
   // "node:translate" or "scene.add".
-  std::string full_name() const { return area + (method ? ":" : ".") + name; }
+  std::string full_name() const { return area.empty() ? name : area + (method && kind == Kind::function ? ":" : ".") + name; }
 };
 
 // A module ("scene") or a kind of object ("node") with its rows, and the described struct behind it, if any.

@@ -245,12 +245,12 @@ struct CoreApi {
   static int permit_act(lua_State* L) {
     return at_border(L, [L] {
       Row row;
-      row.area = string_at(L, 1);
+      const std::string name = string_at(L, 1);
+      const std::size_t dot = name.find('.');
+      row.area = dot == std::string::npos ? "" : name.substr(0, dot);
+      row.name = dot == std::string::npos ? name : name.substr(dot + 1);
       row.permit = Permit::act;
-      const Phase phase = script(L).phase();
-      if (phase == Phase::declare) script(L).refuse_declaration(), fail(row.area, ": not at the top level of a file, which runs again at every save; put it in start()");
-      if (phase == Phase::frame) fail(row.area, ": frame only draws; change things in update or late_update");
-      if (phase == Phase::watch) fail(row.area, ": a bot may read everything but change only its input");
+      check_permit(script(L), row);
       return 0;
     });
   }

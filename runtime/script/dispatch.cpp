@@ -57,6 +57,8 @@ int object_newindex(lua_State* L) {
   }
   return at_border(L, [L, row, type] {
     const Area& area = upvalue_area(L);
+    const Tag tag = tag_at(L, 1);
+    if (tag == Tag::vec3 || tag == Tag::quat || tag == Tag::color) return newindex_described(L, area);
     if (row) fail(area.name, ".", row->name, ": can be read but not written");
     if (type == LUA_TFUNCTION) fail(area.name, ".", key_text(L, 2), " is a function of every ", area.name, " and cannot be replaced");
     return newindex_described(L, area);

@@ -403,7 +403,7 @@ void Script::physics_events(const Events& events) {
   static const char* const names[2][3] = {{"on_collision_exit", "on_collision_enter", "on_collision_stay"},
                                           {"on_trigger_exit", "on_trigger_enter", "on_trigger_stay"}};
   for (const ContactEvent& contact : events.contacts) {
-    const NodeId a = live_.node_of(contact.a), b = live_.node_of(contact.b);
+    const auto [a, b] = live_.nodes_of(contact);
     // A handler may have destroyed a partner meanwhile: its enters and stays are dropped, its exit is told.
     if (contact.kind != EventKind::exit && !(live_.alive(a) && live_.alive(b))) continue;
     const char* name = names[contact.trigger][static_cast<int>(contact.kind)];

@@ -226,6 +226,7 @@ class Script {
   void announce_scene(const std::string& name);
   void attach_tree(const NodeDef& def, NodeId node, const std::string& call);
   std::string reload_scene();
+  void declare_behaviours(const NodeDef& before, const NodeDef& now, NodeId node, std::string& text);
   bool apply_scene_changes(const NodeDef& before, const NodeDef& now, NodeId node, std::string& text);
   void guarded(const std::function<void()>& work);
   std::string push_path(const std::string& path, int keep);

@@ -84,8 +84,8 @@ NodeId Script::add_node(const Value& given, NodeId parent, Origin origin, const 
   assign(def, table, call);
   const NodeId node = live_.add(def, parent, origin, call);
   try {
+    attach_behaviours(node, behaviours, call);   // before the children's: start() runs parents first
     for (std::size_t i = 0; i < children.size(); ++i) add_node(children[i], node, origin, call + ": children[" + std::to_string(i + 1) + "]");
-    attach_behaviours(node, behaviours, call);
   } catch (const Error&) {
     live_.destroy(node);
     throw;
@@ -242,6 +242,12 @@ void Script::flush() {
 }
 
 void Script::request_scene(const std::string& path) {
+  if (!host_.read(path + ".json")) {
+    std::vector<std::string> scenes;
+    for (const std::string& file : host_.list(""))
+      if (file.ends_with(".json") && file != "game.json") scenes.push_back(file.substr(0, file.size() - 5));
+    fail("scene.load: no scene '", path, "' in the game", did_you_mean(path, scenes));
+  }
   load_scene_file(path, host_.read, "scene.load");   // its errors belong to the line that asked
   scene_wanted_ = path;
 }
@@ -338,6 +344,19 @@ std::string Script::reload_scene() {
   return text;
 }
 
+void Script::declare_behaviours(const NodeDef& before, const NodeDef& now, NodeId node, std::string& text) {
+  for (const auto& [name, properties] : now.behaviours) {
+    const auto was = before.behaviours.find(name);
+    if (was != before.behaviours.end() && was->second == properties) continue;
+    push_boot(running_, "declare");
+    push_node(node);
+    lua_pushlstring(running_, name.data(), name.size());
+    push_value(running_, properties);
+    lua_call(running_, 3, 0);
+    text += ", " + now.name + ".behaviours." + name;
+  }
+}
+
 bool Script::apply_scene_changes(const NodeDef& before, const NodeDef& now, NodeId node, std::string& text) {
   if (live_.alive(node)) {
     const Value old = without_children(before), fresh = without_children(now);
@@ -348,6 +367,7 @@ bool Script::apply_scene_changes(const NodeDef& before, const NodeDef& now, Node
       live_.update_first_state(node, field, value);
       text += ", " + now.name + "." + field;
     }
+    declare_behaviours(before, now, node, text);
   }
   if (before.children.size() != now.children.size()) return false;
   const NodeId parent = node;

@@ -61,7 +61,11 @@ void Watchdog::watch() {
 
 void Watchdog::hook(lua_State* L, lua_Debug*) {
   if (!script_of(L).over_time()) return lua_sethook(L, nullptr, 0, 0);
-  luaL_error(L, "stopped: it ran for more than %f seconds of computing in one call; is a loop without an end in it?", script_of(L).host().time_limit);
+  luaL_where(L, 0);  // the function that the hook interrupts
+  lua_pushfstring(L, "stopped: it ran for more than %f seconds of computing in one call; is a loop without an end in it?",
+                  script_of(L).host().time_limit);
+  lua_concat(L, 2);
+  lua_error(L);
 }
 
 }  // namespace tumble

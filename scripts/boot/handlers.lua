@@ -277,6 +277,10 @@ return function(parts)
   end
 
   function boot.attach(node, name, given, where) behaviours.attach(node, name, given, where) end
+  function boot.declare(node, name, given)
+    behaviours.declare(node, name, given)
+    behaviours.refresh({})
+  end
   function boot.check_behaviour(name, given, where) behaviours.check(name, given, where) end
   function boot.start_new() behaviours.start_new() end
   function boot.behaviours(node) return behaviours.view(node) end

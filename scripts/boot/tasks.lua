@@ -61,17 +61,21 @@ return function(parts)
 
   tasks.task = {
     after = function(seconds, fn, ...)
+      core.permit_act("task.after")
       return add { due = core.now() + seconds_or_fail("task.after", seconds), fn = function_or_fail("task.after", fn), args = table.pack(...) }
     end,
     every = function(seconds, fn, ...)
+      core.permit_act("task.every")
       seconds = seconds_or_fail("task.every", seconds)
       if seconds == 0 then core.raise("task.every: seconds must be above 0 (got 0)") end
       return add { due = core.now() + seconds, every = seconds, fn = function_or_fail("task.every", fn), args = table.pack(...) }
     end,
     spawn = function(fn, ...)
+      core.permit_act("task.spawn")
       return add { due = core.now(), spawn = true, fn = function_or_fail("task.spawn", fn), args = table.pack(...) }
     end,
     loop = function(fn, ...)
+      core.permit_act("task.loop")
       return add { due = core.now(), spawn = true, loop = true, fn = function_or_fail("task.loop", fn), args = table.pack(...) }
     end,
   }
@@ -211,12 +215,12 @@ return function(parts)
   end
 
   local function goal(from, to, name)
-    local kind = core.kind(from)
+    local kind, given = core.kind(from), to
     if kind == "color" then to = core.as_color(to) elseif kind == "vec3" then to = core.as_vec3(to) end
     if kind ~= "number" and kind ~= "vec3" and kind ~= "quat" and kind ~= "color" then
       core.raise(("tween: field '%s' holds %s; only numbers, vec3, quat and color can be tweened"):format(name, core.short(from)))
     end
-    if core.kind(to) ~= kind then core.raise(("tween: field '%s': %s expected, got %s"):format(name, kind, core.short(to))) end
+    if core.kind(to) ~= kind then core.raise(("tween: field '%s': %s expected, got %s"):format(name, kind, core.short(given))) end
     return to
   end
 

@@ -127,6 +127,8 @@ void ContactBook::note(Pair& pair, btPersistentManifold& manifold, bool swapped)
     event = {};
     event.trigger = pair.trigger;
     event.a = pair.a->id;
+    event.user_a = pair.a->user;
+    event.user_b = pair.b->user;
     event.b = pair.b->id;
     pair.depth = 1e18;
     pair.seen = step_;
@@ -194,6 +196,7 @@ ContactEvent seen_from(const Pair& pair, const BodyState& body) {
   ContactEvent event = pair.event;
   if (pair.a == &body) return event;
   std::swap(event.a, event.b);
+  std::swap(event.user_a, event.user_b);
   std::swap(event.collider_a, event.collider_b);
   event.normal = -event.normal;
   event.velocity = -event.velocity;
