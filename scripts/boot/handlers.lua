@@ -2,7 +2,7 @@
 return function(parts)
   local core, files, behaviours, tasks, names = parts.core, parts.files, parts.behaviours, parts.tasks, parts.names
   local boot, handlers = parts.boot, {}
-  local records = behaviours.records
+  local records, debug = behaviours.records, core.debug
   local main_stopped = {}            -- names of main.lua's handlers that failed
   local slot_stopped = {}            -- node -> { name -> true }
   local lists = {}                   -- method -> { subjects, functions }, in tree order
@@ -137,9 +137,55 @@ return function(parts)
     handlers.call_main("late_update", dt)
     run_all("late_update", dt)
   end
+
+  -- frame() runs as often as pictures are drawn, so nothing that it writes may reach a tick. The engine refuses its own
+  -- calls there; locals of files and fields of behaviours are put back here, with a sentence. (Entries of tables are
+  -- not looked at: a picture must stay cheap.)
+  local function take_state(subjects)
+    local state = { locals = {}, fields = {} }
+    for i, variable in ipairs(files.live.variable_list) do
+      local _, value = debug.getupvalue(variable.fn, variable.index)
+      state.locals[i] = value
+    end
+    for i, subject in ipairs(subjects) do
+      local fields = {}
+      if subject then for name, value in next, subject do fields[name] = value end end
+      state.fields[i] = fields
+    end
+    return state
+  end
+  local function restore_state(state, subjects)
+    local changed
+    for i, variable in ipairs(files.live.variable_list) do
+      local _, value = debug.getupvalue(variable.fn, variable.index)
+      if not rawequal(value, state.locals[i]) then
+        debug.setupvalue(variable.fn, variable.index, state.locals[i])
+        changed = changed or ("%s: frame changed the local '%s'"):format(variable.file, variable.name)
+      end
+    end
+    for i, subject in ipairs(subjects) do
+      for name, value in next, subject or {} do
+        if not rawequal(value, state.fields[i][name]) then
+          rawset(subject, name, state.fields[i][name])
+          changed = changed or ("%s: frame changed the field '%s'"):format(records[subject].info.file.path, name)
+        end
+      end
+    end
+    return changed
+  end
+
   function boot.frame(dt)
+    local subjects = list_of("frame")
+    if not main_function("frame") and #subjects == 0 then return end
+    local state = take_state(subjects)
     handlers.call_main("frame", dt)
     run_all("frame", dt)
+    local changed = restore_state(state, subjects)
+    if changed then
+      main_stopped.frame = true
+      for _, subject in ipairs(subjects) do if subject then stop(subject) end end
+      core.report(changed .. "; it runs once a picture, not once a tick, and only draws: change things in update or late_update", "")
+    end
   end
   function boot.draw_ui(paused)
     handlers.call_main("draw_ui")

@@ -78,6 +78,22 @@ TEST_CASE("frame: it draws and cannot change the world", "[sandbox]") {
   CHECK(game.last_error() == "main.lua:2: node.position: frame only draws; change things in update or late_update");
 }
 
+TEST_CASE("frame: a local or a field that it changes is put back, with a sentence", "[sandbox]") {
+  TestGame local(Files{{"main.lua", "local n = 0\nfunction frame() n = n + 1 end\nfunction update() game.report.n = n end\n"}});
+  local.frame();
+  local.tick(1);
+  CHECK(local.number("n") == 0);
+  CHECK(local.last_error().find("main.lua: frame changed the local 'n'") == 0);
+
+  TestGame field(Files{{"main.lua", "scene.add { behaviours = { b = {} } }"},
+                       {"b.lua", "local B = behaviour { n = 0 }\nfunction B:frame() self.n = self.n + 1 end\nfunction B:update() game.report.n = self.n end\nreturn B\n"}});
+  field.tick(1);
+  field.frame();
+  field.tick(1);
+  CHECK(field.number("n") == 0);
+  CHECK(field.last_error().find("b.lua: frame changed the field 'n'") == 0);
+}
+
 TEST_CASE("memory: scripts that want more than their limit get a sentence and the game goes on", "[sandbox]") {
   TestGame game(Files{{"main.lua", "function update() local t = {} for i = 1, 1e9 do t[i] = ('x'):rep(1000) .. i end end\nfunction late_update() game.report.n = time.tick end\n"}}, 30);
 
