@@ -1,2 +1,2 @@
--- expect: action 'jump': no key or button 'spcae'; did you mean 'space'?
+-- expect: input.bind: no key or button 'spcae'; did you mean 'space'?
 function start() input.bind("jump", { "spcae" }) end
