@@ -18,7 +18,7 @@ void run_cpp_tests(const std::string& filter, Tally& tally);
 void run_game_tests(const std::filesystem::path& game, Tally& tally);
 // The scripts of a folder that must fail: the first line of each, "-- expect: TEXT", tells what the error must contain.
 void run_error_scripts(const std::filesystem::path& folder, Tally& tally);
-// tests/embed: a host program with a Lua and a Bullet of its own. One test case.
-void run_embed_test(const std::filesystem::path& tree, Tally& tally);
+// A script FOLDER/run.sh that gets our build's folder and prints a line `ok ...` or `FAILED ...` for each test case.
+void run_shell_tests(const std::filesystem::path& folder, Tally& tally);
 
 }  // namespace tumble::cli

@@ -15,7 +15,7 @@ int wrong = 0;
 
 void check(bool holds, const std::string& claim) {
   if (holds) return;
-  std::cout << "embed: not so: " << claim << '\n';
+  std::cout << "not so: " << claim << '\n';
   ++wrong;
 }
 
@@ -133,6 +133,6 @@ int main(int, char** argv) {
   } catch (const std::exception& error) {
     check(false, error.what());
   }
-  std::cout << (wrong ? "embed: failed\n" : "embed: the host and its games live together\n");
+  std::cout << (wrong ? "FAILED" : "ok") << " embed: a host and its games live together\n";
   return wrong ? 1 : 0;
 }

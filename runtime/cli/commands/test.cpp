@@ -14,6 +14,8 @@ namespace tumble::cli {
 
 namespace {
 
+const char* const kShellTests[] = {"tests/cli", "tests/embed"};
+
 bool is_game(const fs::path& folder) { return fs::exists(folder / "main.lua") || fs::exists(folder / "game.json"); }
 
 std::vector<fs::path> folders_in(const fs::path& folder) {
@@ -36,18 +38,19 @@ void run_all(Tally& tally) {
   for (const fs::path& suite : folders_in("tests/lua")) run_lua_suite(suite, tally);
   for (const fs::path& game : folders_in("games"))
     if (fs::is_directory(game / "tests")) run_game_tests(game, tally);
-  run_embed_test(".", tally);
+  for (const char* folder : kShellTests) run_shell_tests(folder, tally);
 }
 
-// By its name: a suite of tests/lua, "embed", or C++ tests by tag or by how their titles begin.
+// By its name: a folder of shell tests, a suite of tests/lua, or C++ tests by tag or by how their titles begin.
 void run_part(const std::string& part, Tally& tally) {
-  if (part == "embed") return run_embed_test(".", tally);
+  for (const char* folder : kShellTests)
+    if (fs::path(folder).filename() == part) return run_shell_tests(folder, tally);
   const fs::path suite = fs::path("tests/lua") / part;
   const bool known = fs::is_directory(suite);
   if (known) run_lua_suite(suite, tally);
   if (known && !fs::is_directory(fs::path("tests") / part)) return;
   run_cpp_tests("[" + part + "]," + part + "*", tally);
-  if (tally.passed + tally.failed == 0) throw Error("test: no part '" + part + "'; give a folder of tests or tests/lua, 'embed', or a game's folder");
+  if (tally.passed + tally.failed == 0) throw Error("test: no part '" + part + "'; give a folder of tests or tests/lua, or a game's folder");
 }
 
 int test(const std::string& what) {
