@@ -1,42 +1,17 @@
 // The embedding interface of tumble.h over Game.
-#include "tumble/tumble.h"
-
-#include <algorithm>
 #include <chrono>
 #include <fstream>
-#include <thread>
 
-#include "app/game.h"
-#include "assets/pack.h"
+#include "app/runtime_impl.h"
 #include "base/text.h"
 #include "engine/json.h"
-#include "platform/window.h"
-#include "render/renderer.h"
-#include "script/document.h"
 
 namespace tumble {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 // How many ticks a frame may catch up before time is dropped: a tenth of a second at 60 Hz.
 constexpr int kMostTicksAFrame = 6;
-
-Value to_inner(const Data& data) {
-  return std::visit([](const auto& v) -> Value {
-    if constexpr (std::is_same_v<std::decay_t<decltype(v)>, std::monostate>) return {};
-    else return v;
-  }, data.content());
-}
-
-Data to_outer(const Value& value) {
-  if (const bool* b = value.get<bool>()) return *b;
-  if (value.is_number()) return value.number();
-  if (const std::string* s = value.get<std::string>()) return *s;
-  if (const Vec3* v = value.get<Vec3>()) return *v;
-  return {};
-}
 
 std::string whole_file(const std::string& file, const char* call) {
   std::ifstream in(file, std::ios::binary);
@@ -45,31 +20,6 @@ std::string whole_file(const std::string& file, const char* call) {
 }
 
 }  // namespace
-
-struct __attribute__((visibility("hidden"))) Runtime::Impl {
-  GameHost host;
-  std::string path;
-  std::unique_ptr<Window> window;
-  std::unique_ptr<Renderer> renderer;
-  std::unique_ptr<Game> game;
-  std::vector<InputEvent> pending;
-  std::int64_t frames = 0;
-  Clock::time_point last_frame;
-  bool first_frame = true, quit = false;
-  double accumulator = 0;
-  std::optional<Recording> next_recording;
-
-  Game& need_game(const char* call) {
-    if (!game) fail(call, ": no game is loaded; call load() first");
-    return *game;
-  }
-  double aspect() const { return window ? static_cast<double>(window->width()) / window->height() : 16.0 / 9.0; }
-  void open_window();
-  void open_game();
-  void tick_once();
-  void draw(double alpha, double dt);
-  void handle_keys(const WindowEvents& events);
-};
 
 void Runtime::Impl::open_window() {
   const Options& o = host.options;
@@ -327,90 +277,5 @@ void Runtime::send(const std::string& message, const std::vector<Data>& argument
   for (const Data& data : arguments) values.push_back(to_inner(data));
   impl_->need_game("send").script().send(message, values);
 }
-
-// ---- tests
-
-std::vector<std::pair<std::string, std::string>> Runtime::tests() {
-  std::vector<std::pair<std::string, std::string>> list;
-  Game& game = impl_->need_game("tests");
-  for (const std::string& file : game.package().list("tests"))
-    if (file.ends_with(".lua"))
-      for (const std::string& claim : game.script().list_tests(file)) list.emplace_back(file, claim);
-  return list;
-}
-
-std::string Runtime::run_test(const std::string& file, const std::string& claim) {
-  Game& game = impl_->need_game("run_test");
-  const std::vector<std::string> claims = game.script().list_tests(file);
-  const auto found = std::find(claims.begin(), claims.end(), claim);
-  if (found == claims.end()) return "no test '" + claim + "' in " + file;
-  const int errors_before = game.errors();
-  game.script().start_test(static_cast<int>(found - claims.begin()) + 1);
-  constexpr int kLongest = 60 * 60 * 10;   // ticks: ten minutes of game time
-  for (int i = 0; i < kLongest && !game.script().test_outcome; ++i) impl_->tick_once();
-  if (!game.script().test_outcome) return game.errors() > errors_before && game.script().shown_error ? game.script().shown_error->text : "it did not end within ten minutes of game time";
-  const auto [ok, text] = *game.script().test_outcome;
-  if (!ok) return text;
-  if (game.errors() > errors_before) return "a script failed meanwhile: " + (game.script().shown_error ? game.script().shown_error->text : std::string());
-  return "";
-}
-
-// ---- nodes
-
-// Node is a friend of Runtime; this is how its functions reach the game.
-#define TUMBLE_NODE_GAME(call)                                                                 \
-  Game& game = runtime_->impl_->need_game(call);                                               \
-  const NodeId id{index_, generation_};                                                        \
-  if (!game.engine().scene.get(id)) fail("node: ", call, ": this node was destroyed")
-
-bool Node::is_alive() const {
-  return runtime_ && runtime_->impl_->game && runtime_->impl_->game->engine().alive({index_, generation_});
-}
-std::string Node::name() const {
-  TUMBLE_NODE_GAME("name");
-  return game.engine().scene[id].name;
-}
-Vec3 Node::position() const {
-  TUMBLE_NODE_GAME("position");
-  return game.engine().scene.world(id).position;
-}
-Quat Node::rotation() const {
-  TUMBLE_NODE_GAME("rotation");
-  return game.engine().scene.world(id).rotation;
-}
-Vec3 Node::velocity() const {
-  TUMBLE_NODE_GAME("velocity");
-  const BodyComponent* body = game.engine().body(id);
-  return body && game.engine().world() ? game.engine().world()->velocity(body->id) : Vec3{};
-}
-Data Node::get(const std::string& path) const {
-  TUMBLE_NODE_GAME("get");
-  const std::optional<Value> value = game.script().get_path(game.engine().scene.path(id), path);
-  return value ? to_outer(*value) : Data{};
-}
-void Node::set(const std::string& path, const Data& value) {
-  TUMBLE_NODE_GAME("set");
-  game.script().set_path(game.engine().scene.path(id), path, to_inner(value));
-}
-#undef TUMBLE_NODE_GAME
-
-// ---- tools
-
-std::vector<std::pair<std::string, std::string>> generated_files() { return document_files(); }
-
-void pack(const std::string& folder, const std::string& output, const std::string& program) {
-  write_package(folder, output, program.empty() ? std::nullopt : std::optional<std::filesystem::path>(program));
-}
-
-bool has_packed_game(const std::string& program) {
-  try {
-    return Package::appended_to(program) != nullptr;
-  } catch (const Error&) {
-    return false;
-  }
-}
-
-bool display_available() { return Window::display_available(); }
-std::string version() { return "0.1.0"; }
 
 }  // namespace tumble

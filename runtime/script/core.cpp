@@ -3,8 +3,9 @@
 #include <algorithm>
 
 #include "base/text.h"
+#include "script/coroutines.h"
 #include "script/embedded.h"
-#include "script/sandbox.h"
+#include "script/pairs.h"
 #include "script/bind.h"
 #include "script/script.h"
 
@@ -255,81 +256,6 @@ struct CoreApi {
     });
   }
 
-  // ---- values
-  static int nearest_word(lua_State* L) {
-    std::vector<std::string> words;
-    for (lua_Integer i = 1; lua_rawgeti(L, 2, i) == LUA_TSTRING; ++i, lua_pop(L, 1)) words.emplace_back(lua_tostring(L, -1));
-    const std::string word = nearest(string_at(L, 1), words);
-    return push_text(L, word.empty() ? std::nullopt : std::optional(word));
-  }
-  static int short_text(lua_State* L) {
-    std::string text;
-    if (lua_type(L, 1) == LUA_TSTRING) text = describe_argument(L, 1);
-    else if (lua_type(L, 1) == LUA_TNUMBER) text = lua_isinteger(L, 1) ? std::to_string(lua_tointeger(L, 1)) : number_text(lua_tonumber(L, 1));
-    else if (lua_type(L, 1) == LUA_TTABLE) text = table_text(L);
-    else text = describe_argument(L, 1);
-    return lua_pushlstring(L, text.data(), text.size()), 1;
-  }
-  static std::string table_text(lua_State* L) {
-    try {
-      std::string text = tumble::text(value_from_lua(L, 1, ""));
-      return text.size() > 60 ? text.substr(0, 57) + "..." : text;
-    } catch (const Error&) {
-      return "a table";
-    }
-  }
-  static int kind(lua_State* L) {
-    if (lua_type(L, 1) == LUA_TUSERDATA) lua_pushstring(L, tag_name(tag_at(L, 1)));
-    else lua_pushstring(L, luaL_typename(L, 1));
-    return 1;
-  }
-  static int same(lua_State* L) {
-    const bool numbers = lua_type(L, 1) == LUA_TNUMBER && lua_type(L, 2) == LUA_TNUMBER;
-    if (numbers) return lua_pushboolean(L, lua_isinteger(L, 1) == lua_isinteger(L, 2) && lua_compare(L, 1, 2, LUA_OPEQ)), 1;
-    if (lua_type(L, 1) == LUA_TTABLE && lua_type(L, 2) == LUA_TTABLE && !lua_rawequal(L, 1, 2)) {
-      try {
-        return lua_pushboolean(L, value_from_lua(L, 1, "") == value_from_lua(L, 2, "")), 1;
-      } catch (const Error&) {
-        return lua_pushboolean(L, false), 1;
-      }
-    }
-    return lua_pushboolean(L, lua_compare(L, 1, 2, LUA_OPEQ)), 1;
-  }
-  // A copy of a default, so that instances do not share a table.
-  static int copy(lua_State* L) {
-    if (lua_type(L, 1) != LUA_TTABLE) return lua_settop(L, 1), 1;
-    return at_border(L, [L] { return push_value(L, value_from_lua(L, 1, "behaviour")), 1; });
-  }
-  static int as_vec3(lua_State* L) {
-    if (vec3_at(L, 1)) return lua_settop(L, 1), 1;
-    if (!lua_istable(L, 1) || lua_rawlen(L, 1) != 3) return lua_pushnil(L), 1;
-    double n[3];
-    for (int i = 0; i < 3; ++i) {
-      if (lua_rawgeti(L, 1, i + 1) != LUA_TNUMBER) return lua_pushnil(L), 1;
-      n[i] = lua_tonumber(L, -1);
-    }
-    return push_vec3(L, {n[0], n[1], n[2]}), 1;
-  }
-  static int as_color(lua_State* L) {
-    if (object_at<Color>(L, 1, Tag::color)) return lua_settop(L, 1), 1;
-    if (lua_type(L, 1) != LUA_TSTRING) return lua_pushnil(L), 1;
-    const auto color = parse_color(lua_tostring(L, 1));
-    if (!color) return lua_pushnil(L), 1;
-    return push_object(L, Tag::color, *color), 1;
-  }
-  static int keys(lua_State* L) { return push_sorted_keys(L, 1), 1; }
-  static int property(lua_State* L) {
-    push_object(L, Tag::property, 0, 1);
-    lua_pushvalue(L, 1);
-    lua_setiuservalue(L, -2, 1);
-    return 1;
-  }
-  static int property_of(lua_State* L) {
-    if (tag_at(L, 1) != Tag::property) return lua_pushnil(L), 1;
-    lua_getiuservalue(L, 1, 1);
-    return 1;
-  }
-
   // ---- coroutines
   static int coroutine(lua_State* L) {
     lua_State* co = lua_newthread(L);
@@ -395,9 +321,9 @@ void push_core(lua_State* L) {
       {"find_node", CoreApi::find_node}, {"take_lists_changed", CoreApi::take_lists_changed}, {"lists_changed", CoreApi::lists_changed},
       {"now", CoreApi::now}, {"tick", CoreApi::tick}, {"tick_seconds", CoreApi::tick_seconds}, {"protected", CoreApi::protected_call},
       {"try", CoreApi::try_call}, {"raise", CoreApi::raise_error}, {"report", CoreApi::report}, {"report_coroutine", CoreApi::report_coroutine},
-      {"traceback", CoreApi::traceback}, {"log", CoreApi::log}, {"permit_act", CoreApi::permit_act}, {"nearest", CoreApi::nearest_word},
-      {"short", CoreApi::short_text}, {"kind", CoreApi::kind}, {"same", CoreApi::same}, {"copy", CoreApi::copy}, {"as_vec3", CoreApi::as_vec3},
-      {"as_color", CoreApi::as_color}, {"keys", CoreApi::keys}, {"property", CoreApi::property}, {"property_of", CoreApi::property_of},
+      {"traceback", CoreApi::traceback}, {"log", CoreApi::log}, {"permit_act", CoreApi::permit_act}, 
+      
+      
       {"coroutine", CoreApi::coroutine}, {"yield", CoreApi::yield}, {"status", CoreApi::status}, {"resume", boot_resume},
       {"bot_ticks", CoreApi::bot_ticks}, {"raw_name", CoreApi::raw_name}, {"bot_event", CoreApi::bot_event}, {"test_done", CoreApi::test_done},
   };
@@ -406,6 +332,7 @@ void push_core(lua_State* L) {
     lua_pushcfunction(L, one.func);
     lua_setfield(L, -2, one.name);
   }
+  push_value_functions(L);
   lua_getglobal(L, "debug");
   lua_setfield(L, -2, "debug");
 }

@@ -92,79 +92,6 @@ void Script::log(LogLevel level, const std::string& text) {
   if (host_.log) host_.log({level, text});
 }
 
-// ---- objects
-
-// The registry slot where userdata of a pool are kept, so that a node is always the same key of a table.
-static void push_cached(lua_State* L, const void* slot, std::uint32_t index, std::uint32_t generation, Tag tag, int user_values) {
-  lua_rawgetp(L, LUA_REGISTRYINDEX, slot);
-  if (lua_rawgeti(L, -1, static_cast<lua_Integer>(index) + 1) == LUA_TUSERDATA) {
-    const auto* known = static_cast<const Object<NodeId>*>(lua_touserdata(L, -1));
-    if (known->value.generation == generation) return lua_remove(L, -2);
-  }
-  lua_pop(L, 1);
-  push_object(L, tag, NodeId{index, generation}, user_values);
-  lua_pushvalue(L, -1);
-  lua_rawseti(L, -3, static_cast<lua_Integer>(index) + 1);
-  lua_remove(L, -2);
-}
-
-void Script::push_node(NodeId node) {
-  if (!node) return lua_pushnil(running_);
-  push_cached(running_, &live_, node.index, node.generation, Tag::node, 6);
-}
-
-void Script::push_joint(JointRef joint) {
-  if (!joint) return lua_pushnil(running_);
-  push_cached(running_, &declared_, joint.index, joint.generation, Tag::joint, 0);
-}
-
-void Script::push_component(NodeId node, Tag tag) {
-  lua_State* L = running_;
-  const int slot = 1 + static_cast<int>(tag) - static_cast<int>(tag == Tag::children ? Tag::children : Tag::body) + (tag == Tag::children ? 5 : 0);
-  push_node(node);
-  if (lua_getiuservalue(L, -1, slot) != LUA_TUSERDATA) {
-    lua_pop(L, 1);
-    push_object(L, tag, ComponentData{node});
-    lua_pushvalue(L, -1);
-    lua_setiuservalue(L, -3, slot);
-  }
-  lua_remove(L, -2);
-}
-
-std::string Script::object_text(int index) {
-  lua_State* L = running_;
-  const Tag tag = tag_at(L, index);
-  if (const Vec3* v = vec3_at(L, index)) return text(Value(*v));
-  if (const Quat* q = object_at<Quat>(L, index, Tag::quat)) return text(Value(*q));
-  if (const Color* c = object_at<Color>(L, index, Tag::color)) return "color \"" + to_hex(*c) + "\"";
-  if (const NodeId* node = object_at<NodeId>(L, index, Tag::node)) {
-    const SceneNode* n = engine().scene.get(*node);
-    return n ? "node '" + n->name + "'" : "a destroyed node";
-  }
-  if (const JointRef* joint = object_at<JointRef>(L, index, Tag::joint)) {
-    const JointRecord* record = engine().joint(*joint);
-    return record ? record->type + " '" + record->name + "'" : "a destroyed joint";
-  }
-  if (tag >= Tag::body && tag <= Tag::camera) {
-    const NodeId node = object_at<ComponentData>(L, index, tag)->node;
-    const SceneNode* n = engine().scene.get(node);
-    return std::string(tag_name(tag)) + (n ? " of node '" + n->name + "'" : " of a destroyed node");
-  }
-  return tag_name(tag);
-}
-
-std::string Script::dead_node_text(NodeId node) const {
-  const auto found = dead_.find(node);
-  return found != dead_.end() ? found->second : "this node was destroyed";
-}
-
-CameraView Script::view_of(NodeId node) const {
-  const SceneNode* n = live_.scene.get(node);
-  if (!n || !n->camera) return camera_view(live_);
-  const Transform& world = live_.scene.world(node);
-  return {{world.position, world.rotation}, n->camera->field_of_view, n->camera->near, n->camera->far};
-}
-
 Results Script::push_behaviours(NodeId node) {
   if (phase_ == Phase::declare) {
     refuse_declaration();
@@ -290,7 +217,7 @@ std::string tidy_traceback(const std::string& traceback) {
     const std::size_t end = std::min(traceback.find('\n', begin), traceback.size());
     const std::string line = traceback.substr(begin, end - begin);
     begin = end + 1;
-    if (line.find("boot/") != std::string::npos || line.find("[C]:") != std::string::npos || line.rfind("stack traceback", 0) == 0) continue;
+    if (line.find("boot/") != std::string::npos || line.find("[C]:") != std::string::npos || line.find("(...tail calls...)") != std::string::npos || line.rfind("stack traceback", 0) == 0) continue;
     tidy += line + '\n';
   }
   return tidy;
@@ -322,116 +249,6 @@ void Script::report_failure(const std::string& message, const std::string& trace
   }
   if (!shown_error) shown_error = failure;
   if (host_.on_error) host_.on_error(failure);
-}
-
-// ---- one tick
-
-namespace {
-const char* notice_name(InputNotice::Kind kind) {
-  switch (kind) {
-    case InputNotice::Kind::press: return "on_press";
-    case InputNotice::Kind::release: return "on_release";
-    case InputNotice::Kind::pointer_move: return "on_pointer_move";
-    case InputNotice::Kind::wheel: return "on_wheel";
-    case InputNotice::Kind::text: return "on_text";
-  }
-  return "";
-}
-}  // namespace
-
-void Script::deliver_input(const std::vector<InputNotice>& notices) {
-  for (const InputNotice& notice : notices) {
-    lua_pushboolean(L_, live_settings_.paused);
-    lua_pushstring(L_, notice_name(notice.kind));
-    int arguments = 3;
-    if (notice.kind == InputNotice::Kind::pointer_move) {
-      lua_pushnumber(L_, notice.x);
-      lua_pushnumber(L_, notice.y);
-      ++arguments;
-    } else if (notice.kind == InputNotice::Kind::wheel) {
-      lua_pushnumber(L_, notice.x);
-    } else {
-      lua_pushlstring(L_, notice.name.data(), notice.name.size());
-    }
-    call_boot("input", arguments, 0, Phase::run);
-  }
-}
-
-void Script::run_tasks(double) { call_boot("tasks", 0, 0, Phase::run); }
-
-void Script::update(double dt) {
-  lua_pushnumber(L_, dt);
-  call_boot("update", 1, 0, Phase::run);
-}
-
-void Script::late_update(double dt) {
-  lua_pushnumber(L_, dt);
-  call_boot("late_update", 1, 0, Phase::run);
-}
-
-void Script::draw_ui() {
-  lua_pushboolean(L_, live_settings_.paused);
-  call_boot("draw_ui", 1, 0, Phase::run);
-}
-
-void Script::frame(double dt) {
-  frame_drawing_ = {};
-  lua_pushnumber(L_, dt);
-  call_boot("frame", 1, 0, Phase::frame);
-}
-
-void Script::send(const std::string& message, const std::vector<Value>& arguments) {
-  lua_pushnil(L_);
-  lua_pushlstring(L_, message.data(), message.size());
-  for (const Value& value : arguments) push_value(L_, value);
-  call_boot("send", 2 + static_cast<int>(arguments.size()), 0, Phase::run);
-}
-
-void Script::event(NodeId node, const char* name, const std::function<void()>& push_argument) {
-  if (!live_.scene.get(node)) return;
-  push_node(node);
-  lua_pushstring(L_, name);
-  int arguments = 2;
-  if (push_argument) {
-    push_argument();
-    ++arguments;
-  }
-  call_boot("event", arguments, 0, Phase::run);
-}
-
-void Script::physics_events(const Events& events) {
-  static const char* const names[2][3] = {{"on_collision_exit", "on_collision_enter", "on_collision_stay"},
-                                          {"on_trigger_exit", "on_trigger_enter", "on_trigger_stay"}};
-  for (const ContactEvent& contact : events.contacts) {
-    const auto [a, b] = live_.nodes_of(contact);
-    // A handler may have destroyed a partner meanwhile: its enters and stays are dropped, its exit is told.
-    if (contact.kind != EventKind::exit && !(live_.alive(a) && live_.alive(b))) continue;
-    const char* name = names[contact.trigger][static_cast<int>(contact.kind)];
-    event(a, name, [&] { push_hit(L_, hit_of(contact, contact.a)); });
-    if (contact.kind != EventKind::exit && !(live_.alive(a) && live_.alive(b))) continue;
-    event(b, name, [&] { push_hit(L_, hit_of(contact, contact.b)); });
-  }
-  for (const JointEvent& broken : events.breaks) {
-    const JointRef id = live_.joint_of(broken.joint);
-    JointRecord* joint = live_.joint(id);
-    if (!joint) continue;
-    joint->broken = true;
-    const NodeId a = joint->a, b = joint->b;
-    event(a, "on_joint_break", [&] { push_joint(id); });
-    if (b) event(b, "on_joint_break", [&] { push_joint(id); });
-  }
-  for (const SleepEvent& sleep : events.sleeps) event(live_.node_of(sleep.body), sleep.asleep ? "on_sleep" : "on_wake", {});
-  for (const BodyId body : events.lost) {
-    const SceneNode* n = live_.scene.get(live_.node_of(body));
-    log(LogLevel::error, "node '" + (n ? n->name : "?") + "': its body's motion became infinite; it was put back to its last place and switched off (node.enabled = true brings it back)");
-  }
-}
-
-void Script::run_bot(std::vector<InputEvent>& events) {
-  ++bot_ticks_;
-  bot_events_ = &events;
-  call_boot("bot", 0, 0, testing_ ? Phase::run : Phase::watch);
-  bot_events_ = nullptr;
 }
 
 std::uint64_t Script::hash() const {

@@ -1,6 +1,7 @@
 // Starting the scripts, and running them again when their text changed.
 #include <algorithm>
 
+#include "base/text.h"
 #include "script/areas.h"
 #include "script/core.h"
 #include "script/dispatch.h"
@@ -146,7 +147,7 @@ std::string Script::reload(const std::vector<std::string>& changed) {
   if (took && scenes) text += reload_scene();
   if (!took && errors == errors_before) shown_error = shown;
   flush();
-  return took ? "reloaded: " + text : "";
+  return took ? "reloaded " + join(changed) + ": " + text : "";
 }
 
 // The text was faulty from the start: the game has not begun yet.

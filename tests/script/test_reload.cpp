@@ -35,7 +35,7 @@ TEST_CASE("reload: a text that did not change changes nothing", "[reload]") {
   const std::string line = game.save("main.lua", kCounter);
 
   CHECK(game.script->hash() == before);
-  CHECK(line == "reloaded: nothing but code changed");
+  CHECK(line == "reloaded main.lua: code only, all values kept");
   game.tick(1);
   CHECK(game.number("score") == 12);
 }

@@ -1,0 +1,46 @@
+// The inside of Runtime, for the sources that implement tumble.h.
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/game.h"
+#include "platform/window.h"
+#include "render/renderer.h"
+
+namespace tumble {
+
+using Clock = std::chrono::steady_clock;
+
+struct __attribute__((visibility("hidden"))) Runtime::Impl {
+  GameHost host;
+  std::string path;
+  std::unique_ptr<Window> window;
+  std::unique_ptr<Renderer> renderer;
+  std::unique_ptr<Game> game;
+  std::vector<InputEvent> pending;
+  std::int64_t frames = 0;
+  Clock::time_point last_frame;
+  bool first_frame = true, quit = false;
+  double accumulator = 0;
+  std::optional<Recording> next_recording;
+
+  Game& need_game(const char* call) {
+    if (!game) fail(call, ": no game is loaded; call load() first");
+    return *game;
+  }
+  double aspect() const { return window ? static_cast<double>(window->width()) / window->height() : 16.0 / 9.0; }
+  void open_window();
+  void open_game();
+  void tick_once();
+  void draw(double alpha, double dt);
+  void handle_keys(const WindowEvents& events);
+};
+
+Value to_inner(const Data& data);
+Data to_outer(const Value& value);
+
+}  // namespace tumble
