@@ -20,6 +20,8 @@ ScriptError public_error(const ScriptFailure& failure) {
 Game::Game(const std::string& path, const GameHost& host) : host_(host) {
   package_ = Package::open(path);
   const std::optional<std::string> settings = read("game.json");
+  if (settings && settings->find_first_not_of(" \t\r\n") == std::string::npos)
+    fail("game.json: it is empty; write {} or leave the file out for a game with all defaults");
   engine_ = std::make_unique<Engine>(read_settings(settings.value_or(""), "game.json"));
   engine_->input.set_actions(engine_->settings.actions);
   engine_->log = [this](const LogLine& line) { note(line.level, line.text); };

@@ -269,6 +269,8 @@ double Runtime::tick_seconds() const { return impl_->game ? impl_->game->tick_se
 bool Runtime::is_finished() const { return impl_->game && impl_->game->script().finished; }
 bool Runtime::wants_quit() const { return impl_->quit || (impl_->game && impl_->game->script().requests.quit); }
 bool Runtime::is_loaded() const { return impl_->game && impl_->game->script().loaded(); }
+bool Runtime::is_replaying() const { return impl_->game && impl_->game->replaying(); }
+bool Runtime::has_file(const std::string& path) const { return impl_->need_game("has_file").package().exists(path); }
 int Runtime::script_errors() const { return impl_->game ? impl_->game->errors() : 0; }
 std::string Runtime::title() const { return impl_->game ? impl_->game->settings().title : ""; }
 

@@ -44,7 +44,10 @@ void describe(GameSettings& settings, Schema& s) {
 
 GameSettings read_settings(const std::string& text, const std::string& file) {
   GameSettings settings;
-  if (!text.empty()) assign(settings, parse_json(text, file), file);
+  if (text.empty()) return settings;
+  const Value value = parse_json(text, file);
+  if (!value.is<Map>()) fail(file, ": a table { ... } expected, got ", kind_name(value));
+  assign(settings, value, file);
   return settings;
 }
 

@@ -44,7 +44,16 @@ Row& Area::raw(const char* name, const char* doc, lua_CFunction call, std::vecto
 }
 
 void raise(lua_State* L, const std::string& message) {
-  luaL_where(L, 1);
+  // The nearest line of the game; lines of boot mean nothing to its author.
+  lua_Debug record;
+  lua_pushliteral(L, "");
+  for (int level = 1; lua_getstack(L, level, &record); ++level) {
+    lua_getinfo(L, "Sl", &record);
+    if (record.source[0] != '@' || record.currentline < 0 || std::string_view(record.source).starts_with("@boot/")) continue;
+    lua_pushfstring(L, "%s:%d: ", record.source + 1, record.currentline);
+    lua_replace(L, -2);
+    break;
+  }
   lua_pushlstring(L, message.data(), message.size());
   lua_concat(L, 2);
   lua_error(L);

@@ -124,7 +124,7 @@ struct Bound<F> {
   }
   static std::string returns() {
     if constexpr (std::is_void_v<R>) return "";
-    else return LuaType<std::decay_t<R>>::name();
+    else return LuaType<std::decay_t<R>>::name() + (LuaType<std::decay_t<R>>::optional ? " or nil" : "");
   }
 };
 

@@ -55,9 +55,20 @@ struct CoreApi {
   static int compile(lua_State* L) {
     std::size_t size = 0;
     const char* text = lua_tolstring(L, 1, &size);
+    if (size >= 3 && std::string_view(text, 3) == "\xEF\xBB\xBF") text += 3, size -= 3;   // some editors' mark of UTF-8
+    const std::string file = string_at(L, 2);
+    if (!is_utf8({text, size})) {
+      lua_pushnil(L);
+      lua_pushfstring(L, "%s: the file is not UTF-8 text; save it as UTF-8", file.c_str());
+      return 2;
+    }
     // Text only: bytecode can crash the machine that runs it.
-    const int status = luaL_loadbufferx(L, text, size, ("@" + string_at(L, 2)).c_str(), "t");
+    const int status = luaL_loadbufferx(L, text, size, ("@" + file).c_str(), "t");
     if (status != LUA_OK) {
+      if (!std::string_view(lua_tostring(L, -1)).starts_with(file)) {
+        lua_pushfstring(L, "%s: %s", file.c_str(), lua_tostring(L, -1));
+        lua_remove(L, -2);
+      }
       lua_pushnil(L);
       lua_insert(L, -2);
       return 2;
@@ -207,18 +218,7 @@ struct CoreApi {
     }
     return 1;
   }
-  // An error at the place of the nearest game file on the stack, not at boot's own line.
-  static int raise_error(lua_State* L) {
-    lua_Debug record;
-    for (int level = 1; lua_getstack(L, level, &record); ++level) {
-      lua_getinfo(L, "Sl", &record);
-      if (record.source[0] != '@' || record.currentline < 0 || std::string_view(record.source).starts_with("@boot/")) continue;
-      lua_pushfstring(L, "%s:%d: %s", record.source + 1, record.currentline, lua_tostring(L, 1));
-      return lua_error(L);
-    }
-    lua_settop(L, 1);
-    return lua_error(L);
-  }
+  static int raise_error(lua_State* L) { raise(L, string_at(L, 1)); }
   static int report(lua_State* L) {
     script(L).report_failure(string_at(L, 1), string_at(L, 2));
     return 0;

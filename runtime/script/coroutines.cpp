@@ -75,4 +75,22 @@ int sandbox_resume(lua_State* L) {
   return results;
 }
 
+
+int sandbox_close(lua_State* L) {
+  lua_State* co = coroutine_at(L, 1);
+  lua_Debug record;
+  const bool idle = lua_status(co) == LUA_YIELD || (lua_status(co) == LUA_OK && !lua_getstack(co, 0, &record)) || lua_status(co) > LUA_YIELD;
+  if (!idle) return luaL_error(L, "cannot close a running coroutine");
+  Script& script = script_of(L);
+  lua_State* outer = script.stack();
+  script.set_running(co);
+  const int status = lua_resetthread(co);
+  script.set_running(outer);
+  if (script.over_time()) return luaL_error(L, "stopped while closing a coroutine");
+  lua_pushboolean(L, status == LUA_OK);
+  if (status == LUA_OK) return 1;
+  lua_xmove(co, L, 1);
+  return 2;
+}
+
 }  // namespace tumble

@@ -117,9 +117,21 @@ int sandbox_pcall(lua_State* L) {
   return finish_pcall(L, status, 0);
 }
 
+// A handler runs inside the hook that stopped the call, where no other hook runs: it could loop for ever.
+int guarded_handler(lua_State* L) {
+  if (script_of(L).over_time()) return 1;
+  lua_pushvalue(L, lua_upvalueindex(1));
+  lua_insert(L, 1);
+  lua_call(L, 1, 1);
+  return 1;
+}
+
 int sandbox_xpcall(lua_State* L) {
   const int count = lua_gettop(L);
   luaL_checktype(L, 2, LUA_TFUNCTION);
+  lua_pushvalue(L, 2);
+  lua_pushcclosure(L, guarded_handler, 1);
+  lua_replace(L, 2);
   lua_pushboolean(L, 1);
   lua_pushvalue(L, 1);
   lua_rotate(L, 3, 2);
@@ -144,6 +156,52 @@ int sandbox_random(lua_State* L) {
       return lua_pushinteger(L, random.between(low, high)), 1;
     }
   }
+}
+
+// ---- library functions that count to whatever they are told, in C, where no watchdog reaches
+
+constexpr lua_Integer kMostEntries = 10'000'000;
+
+int call_original(lua_State* L) {
+  lua_pushvalue(L, lua_upvalueindex(1));
+  lua_insert(L, 1);
+  lua_call(L, lua_gettop(L) - 1, LUA_MULTRET);
+  return lua_gettop(L);
+}
+
+// For functions whose first argument is the list.
+int bounded_list(lua_State* L) {
+  if (lua_istable(L, 1) && luaL_len(L, 1) > kMostEntries) return luaL_error(L, "a list of at most %d entries expected, got %I", static_cast<int>(kMostEntries), luaL_len(L, 1));
+  return call_original(L);
+}
+
+int bounded_move(lua_State* L) {
+  const lua_Integer from = luaL_checkinteger(L, 2), to = luaL_checkinteger(L, 3);
+  if (to > from && static_cast<lua_Unsigned>(to) - static_cast<lua_Unsigned>(from) > static_cast<lua_Unsigned>(kMostEntries))
+    return luaL_error(L, "table.move: at most %d entries expected", static_cast<int>(kMostEntries));
+  return call_original(L);
+}
+
+int bounded_concat(lua_State* L) {
+  const lua_Integer from = luaL_optinteger(L, 3, 1), to = luaL_opt(L, luaL_checkinteger, 4, luaL_len(L, 1));
+  if (to > from && static_cast<lua_Unsigned>(to) - static_cast<lua_Unsigned>(from) > static_cast<lua_Unsigned>(kMostEntries))
+    return luaL_error(L, "table.concat: at most %d entries expected", static_cast<int>(kMostEntries));
+  return call_original(L);
+}
+
+int bounded_rep(lua_State* L) {
+  std::size_t size = 0, gap = 0;
+  luaL_checklstring(L, 1, &size);
+  luaL_optlstring(L, 3, "", &gap);
+  if (size + gap == 0) return lua_pushliteral(L, ""), 1;
+  return call_original(L);
+}
+
+// Puts `wrapper` around the function of that name in the table on top.
+void wrap_function(lua_State* L, const char* name, lua_CFunction wrapper) {
+  lua_getfield(L, -1, name);
+  lua_pushcclosure(L, wrapper, 1);
+  lua_setfield(L, -2, name);
 }
 
 // ---- a few that math lacks
@@ -218,6 +276,7 @@ void open_sandbox(lua_State* L, int globals) {
   lua_getfield(L, -1, "format");
   lua_pushcclosure(L, sandbox_format, 1);
   lua_setfield(L, -2, "format");
+  wrap_function(L, "rep", bounded_rep);
   // Methods on strings go through the same table, and its metatable is out of reach.
   lua_pushliteral(L, "");
   lua_getmetatable(L, -1);
@@ -231,11 +290,16 @@ void open_sandbox(lua_State* L, int globals) {
   copy_library(L, "math", {"randomseed"}, {{"random", sandbox_random}, {"clamp", math_clamp}, {"lerp", math_lerp}, {"round", math_round}, {"sign", math_sign}, {"approach", math_approach}});
   make_read_only(L, "math");
   lua_setfield(L, globals, "math");
-  copy_library(L, "coroutine", {}, {{"resume", sandbox_resume}, {"wrap", sandbox_wrap}});
+  copy_library(L, "coroutine", {}, {{"resume", sandbox_resume}, {"wrap", sandbox_wrap}, {"close", sandbox_close}});
   make_read_only(L, "coroutine");
   lua_setfield(L, globals, "coroutine");
   for (const char* name : {"table", "utf8"}) {
     copy_library(L, name, {}, {});
+    if (name[0] == 't') {
+      for (const char* list : {"insert", "remove", "sort", "unpack"}) wrap_function(L, list, bounded_list);
+      wrap_function(L, "move", bounded_move);
+      wrap_function(L, "concat", bounded_concat);
+    }
     make_read_only(L, name);
     lua_setfield(L, globals, name);
   }

@@ -239,13 +239,15 @@ void Script::report_failure(const std::string& message, const std::string& trace
   ++errors;
   ScriptFailure failure;
   failure.text = explain(message);
+  constexpr std::size_t kLongest = 1000;   // a message may quote a word of a megabyte
+  if (failure.text.size() > kLongest) failure.text = failure.text.substr(0, kLongest) + " ...";
   failure.traceback = tidy_traceback(traceback);
   // "path.lua:12: ..." names the place.
   const std::size_t colon = message.find(".lua:");
   if (colon != std::string::npos) {
     failure.file = message.substr(0, colon + 4);
     failure.line = std::atoi(message.c_str() + colon + 5);
-    if (failure.line > 0) failure.source = source_line(failure.file, failure.line);
+    if (failure.line > 0) failure.source = source_line(failure.file, failure.line).substr(0, 200);
   }
   if (!shown_error) shown_error = failure;
   if (host_.on_error) host_.on_error(failure);

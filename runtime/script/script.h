@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -220,6 +221,7 @@ class Script {
   Random& line_random();
   std::string source_line(const std::string& file, int line) const;
   // script_scene.cpp
+  void note_files(const NodeDef& def);
   std::string node_key(const std::string& name, const Value& def, const char* kind);
   void attach_behaviours(NodeId node, const Value& behaviours, const std::string& call);
   void open_scene_quietly(const std::string& path);
@@ -277,6 +279,7 @@ class Script {
   double bot_x_ = 640, bot_y_ = 360;
   std::vector<bool> scripted_;                         // by node index: has behaviours or slots
   std::vector<std::pair<NodeId, Value>> loaded_behaviours_;
+  std::set<std::string> noted_files_;
   NodeDef loaded_def_;                                 // the scene file as it was read last
   std::unique_ptr<class Watchdog> watchdog_;
 };

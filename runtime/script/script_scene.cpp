@@ -43,6 +43,18 @@ std::string Script::node_key(const std::string& name, const Value& def, const ch
   return key + (nth > 1 ? " " + std::to_string(nth) : "");
 }
 
+// Says once of each file that it is missing, or that this kind of file is not drawn yet.
+void Script::note_files(const NodeDef& def) {
+  const auto note = [this](const std::string& what, const std::string& file, const std::string& stand_in) {
+    if (file.empty() || !noted_files_.insert(file).second) return;
+    const std::vector<std::string> files = host_.list("");
+    if (std::find(files.begin(), files.end(), file) == files.end()) log(LogLevel::warning, what + ": no file '" + file + "' in the game" + did_you_mean(file, files) + stand_in);
+    else log(LogLevel::warning, what + ": '" + file + "': files of this kind are not drawn yet" + stand_in);
+  };
+  if (def.mesh) note("mesh", def.mesh->file, "; a pink box stands in");
+  if (def.material) note("material.texture", def.material->texture, "; the plain colour is drawn");
+}
+
 NodeId Script::declare_node(const Value& given, const std::string& call) {
   Value table = with_prefabs(given, host_.read, call);
   const Value parent_value = take(table, "parent");
@@ -51,6 +63,7 @@ NodeId Script::declare_node(const Value& given, const std::string& call) {
   const Value behaviours = take(table, "behaviours");
   NodeDef def;
   assign(def, table, call);
+  note_files(def);
   attach_behaviours({}, behaviours, call);
 
   DeclaredNode declared;
@@ -82,6 +95,7 @@ NodeId Script::add_node(const Value& given, NodeId parent, Origin origin, const 
   const Value behaviours = take(table, "behaviours");
   NodeDef def;
   assign(def, table, call);
+  note_files(def);
   const NodeId node = live_.add(def, parent, origin, call);
   try {
     attach_behaviours(node, behaviours, call);   // before the children's: start() runs parents first
@@ -275,10 +289,19 @@ void Script::guarded(const std::function<void()>& work) {
   phase_ = outer;
 }
 
+// What the engine finds wrong with a scene names a node; the file is ours to add.
+static NodeId load_or_name_file(Engine& engine, const NodeDef& def, const std::string& path) {
+  try {
+    return engine.load(def, path);
+  } catch (const Error& error) {
+    fail(path, ".json: ", error.what());
+  }
+}
+
 void Script::open_scene_quietly(const std::string& path) {
   guarded([&] {
     const NodeDef def = load_scene_file(path, host_.read, "scene.load");
-    const NodeId root = live_.load(def, path);
+    const NodeId root = load_or_name_file(live_, def, path);
     for (const NodeId gone : live_.finish_removals()) forget_node(gone);
     loaded_behaviours_.clear();
     loaded_def_ = def;

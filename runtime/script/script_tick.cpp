@@ -99,10 +99,6 @@ void Script::physics_events(const Events& events) {
     if (b) event(b, "on_joint_break", [&] { push_joint(id); });
   }
   for (const SleepEvent& sleep : events.sleeps) event(live_.node_of(sleep.body), sleep.asleep ? "on_sleep" : "on_wake", {});
-  for (const BodyId body : events.lost) {
-    const SceneNode* n = live_.scene.get(live_.node_of(body));
-    log(LogLevel::error, "node '" + (n ? n->name : "?") + "': its body's motion became infinite; it was put back to its last place and switched off (node.enabled = true brings it back)");
-  }
 }
 
 void Script::run_bot(std::vector<InputEvent>& events) {

@@ -10,24 +10,27 @@ return function(parts)
     return { modules = {}, order = {}, texts = {}, slots = {}, classes = {} }
   end
 
-  -- The environment of a file: a flat copy of what every file sees, so that a known name costs one table read. What
-  -- it declares are functions; anything else wants `local`.
+  -- The environment of a file: its own functions; behind them what every file sees; behind that an error. Names of the
+  -- engine are not in the environment itself, so that an assignment to one is noticed wherever it stands.
   local function environment(file)
-    local env = {}
-    for name, value in pairs(core.globals) do env[name] = value end
-    local declared = {}
+    local env, declared, known = {}, {}, {}
     file.declared = declared
+    for name, value in pairs(core.globals) do known[name] = value end
+    setmetatable(known, { __index = function(_, name)
+      local list = {}
+      for one in pairs(known) do list[#list + 1] = one end
+      for one in pairs(env) do list[#list + 1] = one end
+      table.sort(list)
+      local near = core.nearest(tostring(name), list)
+      core.raise(("unknown name '%s'%s"):format(tostring(name), near and ("; did you mean '%s'?"):format(near)
+        or "; declare it with `local` at the top of the file, above its first use"))
+    end })
     return setmetatable(env, {
-      __index = function(_, name)
-        local list = {}
-        for known in pairs(env) do list[#list + 1] = known end
-        table.sort(list)
-        local near = core.nearest(tostring(name), list)
-        core.raise(("unknown name '%s'%s"):format(tostring(name), near and ("; did you mean '%s'?"):format(near)
-          or "; declare it with `local` at the top of the file, above its first use"))
-      end,
+      __index = known,
       __newindex = function(_, name, value)
-        if type(value) == "function" and file.running then
+        if core.globals[name] ~= nil then
+          core.raise(("'%s' belongs to the engine; give yours another name, or write `local %s`"):format(name, name))
+        elseif type(value) == "function" and file.running then
           rawset(env, name, value)
           declared[name] = true
         else
@@ -35,17 +38,14 @@ return function(parts)
             tostring(name), core.short(value)))
         end
       end,
+      __pairs = function()
+        local all = {}
+        for name in pairs(known) do all[name] = known[name] end
+        for name in next, env do all[name] = env[name] end
+        return core.pairs(all)
+      end,
       __metatable = "environment",
     })
-  end
-
-  -- A known name may not be hidden by an assignment without `local`, which the environment cannot see coming.
-  local function check_globals(file)
-    for name, value in pairs(core.globals) do
-      if rawget(file.env, name) ~= value then
-        error(("%s: '%s' belongs to the engine; give yours another name, or write `local %s`"):format(file.path, name, name), 0)
-      end
-    end
   end
 
   local function check_handlers(run)
@@ -79,7 +79,6 @@ return function(parts)
     core.set_file(outer_path)
     run.file = outer_file
     file.running = false
-    check_globals(file)
     run.order[#run.order + 1] = file
     return file
   end
@@ -100,6 +99,7 @@ return function(parts)
     if name:find("..", 1, true) or name:sub(1, 1) == "/" then
       core.raise(("require: '%s' is outside the game; name a file of the game folder or of scripts/std"):format(name))
     end
+    name = name:gsub("%.lua$", "")
     local path = name .. ".lua"
     local file = run.modules[path] or run.modules["std/" .. path]
     if file then

@@ -30,7 +30,7 @@ function joint.ball(options) end
 ---@field type string "fixed", "hinge", "slider" or "ball".
 ---@field name string The name it is found by: node:joint(name).
 ---@field a node The first node; anchor and axis are in its space.
----@field b node The second node, or nil for the world.
+---@field b node? The second node, or nil for the world.
 ---@field angle number Of a hinge: how far a has turned against b since it was made, rad.
 ---@field angle_degrees number The same in degrees.
 ---@field position number Of a slider: how far a has slid against b since it was made, m.

@@ -7,7 +7,7 @@
 ---@field id string Its lasting id, the same after saving and loading.
 ---@field path string The names from the top of the scene down to it.
 ---@field tags string[] Words to find it by: scene.tagged("coin").
----@field parent node The node it hangs from; its place in the world is kept when it is hung elsewhere.
+---@field parent node? The node it hangs from; its place in the world is kept when it is hung elsewhere.
 ---@field children node[] Its children, to be read.
 ---@field visible boolean Is it drawn?
 ---@field enabled boolean Off: no drawing, no body, no updates, for its children too.
@@ -47,12 +47,12 @@ function node:get(path) end
 
 --- The descendant of that name or path, or nil.
 ---@param path string
----@return node
+---@return node?
 function node:find(path) end
 
 --- The joint of that name at this node, from either end, or nil.
 ---@param name string
----@return joint
+---@return joint?
 function node:joint(name) end
 
 --- All joints at this node.

@@ -20,7 +20,7 @@ function scene.get(path) end
 
 --- The node of that name or path, or nil.
 ---@param path string
----@return node
+---@return node?
 function scene.find(path) end
 
 --- All nodes with that tag, in tree order.

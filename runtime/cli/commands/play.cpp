@@ -49,16 +49,11 @@ Options options_of(const Play& play) {
   return options;
 }
 
-// A folder shows its bot.lua; in a package only the runtime finds it.
+// Only a runtime can look into every kind of package.
 bool has_bot(const Play& play) {
-  if (fs::is_directory(play.game)) return fs::exists(fs::path(play.game) / "bot.lua");
-  Options options;
-  options.bot = true;
-  Runtime runtime(options);
-  bool missing = false;
-  runtime.on_script_error([&](const ScriptError& error) { missing |= error.text.starts_with("bot.lua: no such file"); });
+  Runtime runtime;
   runtime.load(play.game);
-  return !missing;
+  return runtime.has_file("bot.lua");
 }
 
 void load(Runtime& runtime, const Play& play) {
@@ -98,7 +93,9 @@ int play_window(const Play& play) {
 // Ticks without a window until the ticks or seconds are over or the game ends.
 void run(Runtime& runtime, const Play& play, double most_seconds, Film* film) {
   const auto most = play.ticks ? play.ticks : static_cast<std::int64_t>(most_seconds / runtime.tick_seconds() + 0.5);
+  const bool to_replay_end = !play.replay.empty() && !play.ticks;
   for (std::int64_t i = 0; i < most && !runtime.is_finished() && !runtime.wants_quit() && runtime.is_loaded(); ++i) {
+    if (to_replay_end && !runtime.is_replaying()) break;
     runtime.tick();
     if (film) film->take(runtime);
   }
@@ -112,7 +109,7 @@ int play_headless(const Play& play) {
   Runtime runtime(options_of(play));
   load(runtime, play);
   run(runtime, play, kLongestSeconds, nullptr);
-  if (!play.ticks && !runtime.is_finished() && !runtime.wants_quit() && runtime.is_loaded())
+  if (!play.ticks && play.replay.empty() && !runtime.is_finished() && !runtime.wants_quit() && runtime.is_loaded())
     std::cerr << "play: not finished after " << kLongestSeconds / 60 << " minutes of game time; stopped\n";
   return finish(runtime, play, false);
 }

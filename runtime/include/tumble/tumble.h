@@ -182,6 +182,8 @@ class TUMBLE_API Runtime {
   bool is_finished() const;
   bool wants_quit() const;
   bool is_loaded() const;                            // did the scripts start?
+  bool is_replaying() const;                         // is there input of a recording left?
+  bool has_file(const std::string& path) const;      // of the game: "bot.lua"
   int script_errors() const;
   std::string title() const;
   void send(const std::string& message, const std::vector<Data>& arguments = {});
