@@ -24,7 +24,10 @@ Game::Game(const std::string& path, const GameHost& host) : host_(host) {
     fail("game.json: it is empty; write {} or leave the file out for a game with all defaults");
   engine_ = std::make_unique<Engine>(read_settings(settings.value_or(""), "game.json"));
   engine_->input.set_actions(engine_->settings.actions);
-  engine_->log = [this](const LogLine& line) { note(line.level, line.text); };
+  // A hint of the engine is said once, however often its cause comes back.
+  engine_->log = [this](const LogLine& line) {
+    if (hints_.insert(line.text).second) note(line.level, line.text);
+  };
   ScriptHost script_host;
   script_host.read = [this](const std::string& file) { return read(file); };
   script_host.list = [this](const std::string& prefix) { return package_->list(prefix); };
@@ -63,6 +66,7 @@ void Game::poll_changes() {
 }
 
 void Game::reload(const std::vector<std::string>& changed) {
+  if (std::find(changed.begin(), changed.end(), "game.json") != changed.end()) note(LogLevel::note, "game.json changed: F5 takes it");
   const std::string text = script_->reload(changed);
   if (!text.empty()) note(LogLevel::note, text);
 }

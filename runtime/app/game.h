@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -72,6 +73,7 @@ class Game {
   std::vector<std::pair<std::uint64_t, InputEvent>> recorded_;
   std::optional<Recording> replay_;
   std::size_t replay_at_ = 0;
+  std::set<std::string> hints_;
   std::vector<std::pair<std::int64_t, LogLine>> recent_log_;   // tick and line, for the overlay
 };
 

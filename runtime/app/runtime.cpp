@@ -52,9 +52,18 @@ void Runtime::Impl::tick_once() {
   pending.clear();
   game->screen_shape(aspect(), events);
   game->tick(std::move(events));
-  if (game->script().requests.restart) {
+  if (game->script().requests.restart) restart();
+}
+
+// A game.json that became faulty meanwhile must not end the game that runs.
+void Runtime::Impl::restart() {
+  try {
     open_game();
     if (host.on_log) host.on_log(LogLevel::note, "restarted");
+  } catch (const Error& error) {
+    game->script().requests.restart = false;
+    game->script().shown_error = ScriptFailure{error.what(), "", "", 0, ""};
+    if (host.on_log) host.on_log(LogLevel::error, error.what());
   }
 }
 
@@ -67,7 +76,7 @@ void Runtime::Impl::draw(double alpha, double dt) {
 void Runtime::Impl::handle_keys(const WindowEvents& events) {
   for (const std::string& key : events.keys) {
     if (key == "f3") game->next_debug_view();
-    if (key == "f5") open_game();
+    if (key == "f5") restart();
     if (key == "f11") window->set_fullscreen(!window->fullscreen());
   }
 }

@@ -23,8 +23,10 @@ const char* tag_name(Tag tag);
 template <class T>
 struct Object {
   Tag tag;
+  std::uint32_t serial;   // age among objects, for the order of pairs; it lies in what would be padding
   T value;
 };
+std::uint32_t next_object_serial(lua_State* L);
 // A node's component, or the list of its children.
 struct ComponentData { NodeId node; };
 // A table inside a component or joint ("motor" of a hinge): where it hangs; the path is user value 1.
@@ -50,7 +52,7 @@ inline void push_metatable(lua_State* L, Tag tag) { lua_rawgetp(L, LUA_REGISTRYI
 template <class T>
 T& push_object(lua_State* L, Tag tag, const T& value, int user_values) {
   auto* object = static_cast<Object<T>*>(lua_newuserdatauv(L, sizeof(Object<T>), user_values));
-  new (object) Object<T>{tag, value};
+  new (object) Object<T>{tag, next_object_serial(L), value};
   push_metatable(L, tag);
   lua_setmetatable(L, -2);
   return object->value;

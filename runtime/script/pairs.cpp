@@ -21,16 +21,46 @@ struct KeyOrder {
   std::uint64_t age = 0;
 };
 
+// Of a C function: its address, whose order within the program is fixed, or the closure's serial behind all of them.
+std::uint64_t age_of_function(lua_State* L, int index) {
+  constexpr std::uint64_t behind = std::uint64_t{1} << 62;
+  if (!lua_iscfunction(L, index)) return behind + LuaMemory::serial(lua_topointer(L, index));
+  const bool closure = lua_getupvalue(L, index, 1) != nullptr;
+  if (!closure) return reinterpret_cast<std::uintptr_t>(lua_tocfunction(L, index));
+  lua_pop(L, 1);
+  return behind + LuaMemory::serial(lua_topointer(L, index));
+}
+
 std::uint64_t age_of(lua_State* L, int index) {
-  if (const NodeId* node = object_at<NodeId>(L, index, Tag::node)) {
-    const SceneNode* n = script_of(L).live_engine().scene.get(*node);
-    return n ? n->serial : (std::uint64_t{node->generation} << 32 | node->index);
-  }
   switch (lua_type(L, index)) {
     case LUA_TTABLE: return LuaMemory::serial(lua_topointer(L, index));
-    case LUA_TFUNCTION: return lua_iscfunction(L, index) ? 0 : LuaMemory::serial(lua_topointer(L, index));
+    case LUA_TFUNCTION: return age_of_function(L, index);
     case LUA_TTHREAD: return LuaMemory::serial(static_cast<const char*>(lua_topointer(L, index)) - LUA_EXTRASPACE);
     default: return 0;
+  }
+}
+
+std::uint64_t age_of_node(Script& script, NodeId node) {
+  const SceneNode* n = script.live_engine().scene.get(node);
+  return n ? n->serial : (std::uint64_t{node.generation} << 32 | node.index);
+}
+
+// Objects: those of nodes and joints by the age of these, which does not depend on when a script first saw them (a
+// frame() may have, and pictures are drawn at any rate); values by their own.
+void order_object(lua_State* L, int index, KeyOrder& order) {
+  Script& script = script_of(L);
+  const Tag tag = tag_at(L, index);
+  order.rank = 4;
+  order.number = tag_index(tag);
+  if (tag == Tag::node) {
+    order.age = age_of_node(script, *object_at<NodeId>(L, index, tag));
+  } else if ((tag >= Tag::body && tag <= Tag::camera) || tag == Tag::children) {
+    order.age = age_of_node(script, object_at<ComponentData>(L, index, tag)->node);
+  } else if (tag == Tag::joint) {
+    const JointRecord* joint = script.live_engine().joint(*object_at<JointRef>(L, index, tag));
+    order.age = joint ? joint->serial : 0;
+  } else {
+    order.age = static_cast<Object<int>*>(lua_touserdata(L, index))->serial;
   }
 }
 
@@ -43,8 +73,11 @@ KeyOrder order_of(lua_State* L, int index) {
       order.text = lua_tolstring(L, index, &order.size);
       break;
     case LUA_TBOOLEAN: order.rank = lua_toboolean(L, index) ? 3 : 2; break;
-    case LUA_TUSERDATA: order.rank = 4; order.age = age_of(L, index); break;
-    default: order.rank = 5; order.age = age_of(L, index); break;
+    case LUA_TUSERDATA: order_object(L, index, order); break;
+    default:
+      order.rank = 4 + lua_type(L, index);   // tables, functions, coroutines
+      order.age = age_of(L, index);
+      break;
   }
   return order;
 }
@@ -52,6 +85,7 @@ KeyOrder order_of(lua_State* L, int index) {
 bool before(const KeyOrder& a, const KeyOrder& b) {
   if (a.rank != b.rank) return a.rank < b.rank;
   if (a.rank == 0) return a.number < b.number;
+  if (a.rank == 4 && a.number != b.number) return a.number < b.number;
   if (a.rank == 1) {
     const int c = std::memcmp(a.text, b.text, std::min(a.size, b.size));
     return c != 0 ? c < 0 : a.size < b.size;

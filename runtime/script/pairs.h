@@ -5,8 +5,8 @@
 
 namespace tumble {
 
-// pairs and next visit numbers in ascending order, strings by their bytes, false, true, then everything else oldest
-// first (nodes by the age of the node). Why, and what it costs: docs/decisions/0005-order-of-pairs.md.
+// pairs and next visit numbers in ascending order, strings by their bytes, false, true, then objects kind by kind, in each
+// kind oldest first (nodes, their bodies and joints by the age of the node or joint). Why, and what it costs: docs/decisions/0005-order-of-pairs.md.
 int sandbox_pairs(lua_State* L);
 int sandbox_next(lua_State* L);
 // The keys of the table at `index` in that order, as a list on top of the stack.

@@ -183,6 +183,7 @@ class Script {
   lua_State* lua() { return L_; }
   lua_State* stack() { return running_; }              // the coroutine that runs now, or the main state
   void set_running(lua_State* L);
+  std::uint32_t next_serial() { return next_serial_++; }
   bool over_time() const;                              // the watchdog stopped what runs
   std::uint64_t seed() const { return seed_; }
   void set_seed(std::uint64_t seed);
@@ -254,6 +255,7 @@ class Script {
   lua_State* L_ = nullptr;
   lua_State* running_ = nullptr;
   std::uint64_t seed_ = 1;
+  std::uint32_t next_serial_ = 1;
   WorldSettings game_physics_;                         // from game.json: what the text's settings start from
   bool lists_changed_ = true;
   std::unique_ptr<Engine> staging_;

@@ -1,5 +1,6 @@
 // Starting the scripts, and running them again when their text changed.
 #include <algorithm>
+#include <cmath>
 
 #include "base/text.h"
 #include "script/areas.h"
@@ -180,6 +181,11 @@ void Script::read_report() {
   try {
     const Value value = value_from_lua(L_, -1, "game.report");
     report = value.is<Map>() ? *value.get<Map>() : Map{};
+    std::erase_if(report, [this](const auto& entry) {
+      if (!entry.second.is_number() || std::isfinite(entry.second.number())) return false;
+      if (!report_warned_) log(LogLevel::warning, "game.report." + entry.first + " is " + text(entry.second) + " and is left out of the report");
+      return report_warned_ = true;
+    });
   } catch (const Error& error) {
     if (!report_warned_) log(LogLevel::warning, error.what());
     report_warned_ = true;

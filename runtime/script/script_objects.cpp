@@ -5,6 +5,8 @@
 
 namespace tumble {
 
+std::uint32_t next_object_serial(lua_State* L) { return script_of(L).next_serial(); }
+
 // The registry slot where userdata of a pool are kept, so that a node is always the same key of a table.
 static void push_cached(lua_State* L, const void* slot, std::uint32_t index, std::uint32_t generation, Tag tag, int user_values) {
   lua_rawgetp(L, LUA_REGISTRYINDEX, slot);
@@ -54,7 +56,8 @@ std::string Script::object_text(int index) {
   }
   if (const JointRef* joint = object_at<JointRef>(L, index, Tag::joint)) {
     const JointRecord* record = engine().joint(*joint);
-    return record ? record->type + " '" + record->name + "'" : "a destroyed joint";
+    if (!record) return "a destroyed joint";
+    return record->name.empty() ? "a " + record->type + " joint" : record->type + " '" + record->name + "'";
   }
   if (tag >= Tag::body && tag <= Tag::camera) {
     const NodeId node = object_at<ComponentData>(L, index, tag)->node;

@@ -233,7 +233,10 @@ int newindex_described(lua_State* L, const Area& area) {
     script.engine().set_field(node_of_component(L), area.name + "." + key, value_from_lua(L, 3, area.name + "." + key), area.name);
     return 0;
   }
-  if (tag == Tag::node && script.set_slot(1, key, 3)) return 0;
+  if (tag == Tag::node) {
+    check_write(script, "node." + key);
+    if (script.set_slot(1, key, 3)) return 0;
+  }
   fail_unknown(L, area, script.object_text(1), key);
 }
 

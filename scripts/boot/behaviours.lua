@@ -196,9 +196,14 @@ return function(parts)
       for _, name in ipairs(sorted_keys(instances[node] or {})) do
         local instance = instances[node][name]
         local record = records[instance]
-        local class, info = behaviours.class(name, "reload")
-        record.class, record.info, record.stopped = class, info, nil
-        local ok, values = pcall(fill, info, name, record.given, "reload")
+        local found, class, info = pcall(behaviours.class, name, "reload")
+        local ok, values = found, nil
+        if found then
+          record.class, record.info, record.stopped = class, info, nil
+          ok, values = pcall(fill, info, name, record.given, "reload")
+        else
+          changes[#changes + 1] = ("behaviour %s is gone from the text: its instances keep the old code"):format(name)
+        end
         if ok then
           for key in pairs(info.properties) do
             if not core.same(values[key], record.initial[key]) then

@@ -244,8 +244,8 @@ return function(parts)
     files.live = new
     local result = core.commit(false)
     tasks.sweep(state.replaced)
-    behaviours.refresh(state.log)
     adopt(result)
+    behaviours.refresh(state.log)
     mark_slots(new)
     handlers.forgive()
     for _, line in ipairs(result.log) do table.insert(state.log, 1, line) end

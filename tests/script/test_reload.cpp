@@ -289,3 +289,17 @@ TEST_CASE("reload: a game that is faulty at its start begins with the first good
   CHECK(game.number("score") == 4);
   CHECK_FALSE(game.script->shown_error);
 }
+
+TEST_CASE("reload: a behaviour's file that was renamed takes its nodes along", "[reload]") {
+  const std::string mover = "local Mover = behaviour {}\nfunction Mover:update(dt) game.report.name = 1 end\nreturn Mover\n";
+  TestGame game(Files{{"main.lua", "scene.add { name = 'm', behaviours = { mover = {} } }"}, {"mover.lua", mover}});
+  game.tick(1);
+
+  game.files.erase("mover.lua");
+  game.files["slider.lua"] = replaced(mover, "= 1", "= 2");
+  game.save("main.lua", "scene.add { name = 'm', behaviours = { slider = {} } }");
+  game.tick(2);
+
+  CHECK(game.failures.empty());
+  CHECK(game.number("name") == 2);
+}

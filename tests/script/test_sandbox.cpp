@@ -62,6 +62,27 @@ end
   CHECK(game.printed() == "-3 2.5 10 x y z false true node 'a' node 'b' node 'c'\nfirst second\ntrue\n");
 }
 
+TEST_CASE("sandbox: pairs walks vec3, bodies, functions and coroutines oldest first", "[sandbox]") {
+  const std::string text = R"(
+local a = scene.add { name = "a", mesh = "box", body = {} }
+local b = scene.add { name = "b", mesh = "box", body = {} }
+local function f() end
+local function g() end
+function start()
+  local v, w = vec3(2, 0, 0), vec3(1, 0, 0)
+  local c, d = coroutine.create(f), coroutine.create(g)
+  local names = { [w] = "w", [v] = "v", [b.body] = "b", [a.body] = "a", [g] = "g", [f] = "f", [d] = "d", [c] = "c" }
+  local order = {}
+  for _, name in pairs(names) do order[#order + 1] = name end
+  print(table.concat(order))
+end
+)";
+  TestGame game(Files{{"main.lua", text}});
+
+  CHECK(game.last_error() == "");
+  CHECK(game.printed() == "vwabfgcd\n");
+}
+
 TEST_CASE("sandbox: no address shows in any text", "[sandbox]") {
   TestGame game(Files{{"main.lua", "function start() print({}, print, coroutine.create(print), ('%s'):format({})) end\n"}});
 
@@ -92,6 +113,18 @@ TEST_CASE("frame: a local or a field that it changes is put back, with a sentenc
   field.tick(1);
   CHECK(field.number("n") == 0);
   CHECK(field.last_error().find("b.lua: frame changed the field 'n'") == 0);
+}
+
+TEST_CASE("frame: an entry of a table that it changes is put back, with a sentence", "[sandbox]") {
+  TestGame game(Files{{"main.lua", "local t = { deep = { n = 1 } }\nfunction frame() t.deep.n = 2 t.new = true setmetatable(t, { __index = t }) end\n"
+                                   "function update() game.report.n = t.deep.n game.report.new = t.new and 1 or 0 end\n"}});
+
+  game.frame();
+  game.tick(1);
+
+  CHECK(game.number("n") == 1);
+  CHECK(game.number("new") == 0);
+  CHECK(game.last_error().find("frame changed") == 0);
 }
 
 TEST_CASE("memory: scripts that want more than their limit get a sentence and the game goes on", "[sandbox]") {
