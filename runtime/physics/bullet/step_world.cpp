@@ -67,6 +67,7 @@ void StepWorld::updateAabbs() {
 }
 
 bool PairFilter::needBroadphaseCollision(btBroadphaseProxy* proxy_a, btBroadphaseProxy* proxy_b) const {
+  if (pairs->getNumOverlappingPairs() >= kMostPairs) return false;
   const auto *object_a = static_cast<const btCollisionObject*>(proxy_a->m_clientObject);
   const auto *object_b = static_cast<const btCollisionObject*>(proxy_b->m_clientObject);
   const BodyState &a = *state_of(object_a), &b = *state_of(object_b);

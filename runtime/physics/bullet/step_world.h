@@ -8,6 +8,11 @@ namespace tumble {
 // Which pairs of objects are looked at at all; decided when their boxes first meet.
 class PairFilter final : public btOverlapFilterCallback {
  public:
+  // A pair costs about a kilobyte once it touches, and bodies in one spot make pairs by the square of their number:
+  // beyond this many further pairs pass through each other, rather than take all memory. A pile of 8000 has 100 000.
+  static constexpr int kMostPairs = 300'000;
+  const btOverlappingPairCache* pairs = nullptr;
+
   bool needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const override;
 };
 

@@ -28,6 +28,7 @@ struct WakeAll final : btBroadphaseAabbCallback {
 
 World::Impl::Impl(const WorldSettings& given) : settings(given) {
   install_material_callbacks();
+  filter.pairs = broadphase.getOverlappingPairCache();
   broadphase.getOverlappingPairCache()->setOverlapFilterCallback(&filter);
   bullet.setGravity({0, 0, 0});
   bullet.getSolverInfo().m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS | SOLVER_ENABLE_FRICTION_DIRECTION_CACHING;
