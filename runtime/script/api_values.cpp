@@ -135,6 +135,10 @@ int call_vec3(lua_State* L) {
   });
 }
 
+int call_quat(lua_State* L) {
+  return at_border(L, []() -> int { fail("quat: it is not made of four numbers; write quat.euler_degrees(x, y, z), quat.axis_angle(axis, radians) or quat.look(forward)"); });
+}
+
 int call_color(lua_State* L) {
   lua_remove(L, 1);
   return at_border(L, [L] {
@@ -243,7 +247,7 @@ void open_value_makers(lua_State* L) {
       lua_pushcfunction(L, row.call);
       lua_setfield(L, -2, row.name.c_str());
     }
-  }, nullptr);
+  }, call_quat);
   make("color", [L] {
     lua_pushcfunction(L, color_maker.rows.front().call);
     lua_setfield(L, -2, "hsv");

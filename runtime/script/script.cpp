@@ -230,6 +230,8 @@ std::string explain(const std::string& message) {
     if (message.find("attempt to index a nil value " + field) != std::string::npos)
       return message + "; the node has no " + part + ": add one with node." + part + " = " + (part == std::string("body") ? "{ mass = 1 }" : "...");
   }
+  if (message.find("attempt to yield across a C-call boundary") != std::string::npos)
+    return message + ": wait() works in the task itself, not in a handler that a task called by node:send or scene.send";
   return message;
 }
 

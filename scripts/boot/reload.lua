@@ -143,6 +143,7 @@ return function(parts)
     core.begin_staging()
     local ok = core.protected(function()
       local entry = core.entry()
+      if entry ~= "" and not core.read(entry) then error(entry .. ": the file is gone; the game goes on with the code from before", 0) end
       if entry ~= "" then run.main = files.module(run, (entry:gsub("%.lua$", ""))) end
       for _, path in ipairs(paths) do
         local name = path:gsub("^std/", ""):gsub("%.lua$", "")

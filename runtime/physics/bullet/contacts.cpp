@@ -45,6 +45,15 @@ int collider(const BodyState& body, const btCollisionObject* object, int part, i
   return (is_ghost(object) ? *body.triggers : *body.solids).collider_of(part, index);
 }
 
+// Bodies overlap by what a substep lets them sink in. The place told is on the surface of the one that does not move, so
+// that a mark put there is seen; between two that move it is the middle.
+Vec3 place_of(const btManifoldPoint& found, const btPersistentManifold& manifold) {
+  const Vec3 on_a = from_bullet(found.getPositionWorldOnA()), on_b = from_bullet(found.getPositionWorldOnB());
+  const bool moves_a = state_of(manifold.getBody0())->dynamic(), moves_b = state_of(manifold.getBody1())->dynamic();
+  if (moves_a == moves_b) return (on_a + on_b) * 0.5;
+  return moves_a ? on_b : on_a;
+}
+
 ContactEvent exit_of(const Pair& pair) {
   ContactEvent event = pair.event;
   event.kind = EventKind::exit;
@@ -137,7 +146,7 @@ void ContactBook::note(Pair& pair, btPersistentManifold& manifold, bool swapped)
   for (int i = 0; i < manifold.getNumContacts(); ++i) {
     const btManifoldPoint& found = manifold.getContactPoint(i);
     if (pair.trigger && found.getDistance() > 0) continue;
-    const Vec3 point = from_bullet(found.getPositionWorldOnB());
+    const Vec3 point = place_of(found, manifold);
     const Vec3 normal = from_bullet(found.m_normalWorldOnB) * (swapped ? 1.0 : -1.0);
     const Vec3 relative = start_velocity_at(*pair.b, point) - start_velocity_at(*pair.a, point);
     if (!pair.trigger) {
