@@ -1,8 +1,11 @@
 #include "app/game.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 
 #include "app/error_screen.h"
+#include "assets/game_path.h"
 
 namespace tumble {
 
@@ -31,6 +34,7 @@ Game::Game(const std::string& path, const GameHost& host) : host_(host) {
   ScriptHost script_host;
   script_host.read = [this](const std::string& file) { return read(file); };
   script_host.list = [this](const std::string& prefix) { return package_->list(prefix); };
+  if (package_->folder()) script_host.write = [this](const std::string& file, const std::string& text) { write(file, text); };
   script_host.log = [this](const LogLine& line) { note(line.level, line.text); };
   script_host.on_error = [this](const ScriptFailure& failure) {
     if (host_.on_error) host_.on_error(public_error(failure));
@@ -49,6 +53,17 @@ Game::~Game() = default;
 
 std::optional<std::string> Game::read(const std::string& path) const {
   return host_.read_file ? host_.read_file(path) : package_->read(path);
+}
+
+// Whole or not at all: beside the file first, then over it.
+void Game::write(const std::string& path, const std::string& text) const {
+  require_game_path(path);
+  const std::filesystem::path file = *package_->folder() / path, fresh = file.string() + ".tmp";
+  std::error_code error;
+  std::filesystem::create_directories(file.parent_path(), error);
+  std::ofstream(fresh, std::ios::binary) << text;
+  std::filesystem::rename(fresh, file, error);
+  if (error) fail("'", path, "' cannot be written: ", error.message());
 }
 
 void Game::note(LogLevel level, const std::string& text) {

@@ -57,6 +57,7 @@ class Game {
 
  private:
   std::optional<std::string> read(const std::string& path) const;
+  void write(const std::string& path, const std::string& text) const;
   void note(LogLevel level, const std::string& text);
   std::vector<InputEvent> replayed_events();
   void take_screen_shape(std::vector<InputEvent>& events);

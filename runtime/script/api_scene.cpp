@@ -26,6 +26,7 @@ NodeRef root(Script& s) { return {s.engine().scene.root()}; }
 std::string name(Script& s) { return s.engine().scene_name; }
 NodeRef camera(Script& s) { return {s.engine().camera()}; }
 void load(Script& s, std::string path) { s.request_scene(path); }
+void save(Script& s, std::string path) { s.save_scene(path); }
 void restart(Script& s) { s.request_scene_restart(); }
 
 int send(lua_State* L) {
@@ -40,6 +41,7 @@ void rows_scene(Area& a) {
   a.fn<find>("find", "The node of that name or path, or nil.", "path");
   a.fn<tagged>("tagged", "All nodes with that tag, in tree order.", "tag");
   a.fn<load>("load", "Replaces the loaded scene at the end of the tick. What main.lua declared stays.", "path").acts();
+  a.fn<save>("save", "Writes the loaded scene, as it is now, to path.json; only in a game's folder, while it is made.", "path").acts();
   a.fn<restart>("restart", "Gives declared and loaded nodes their first state back at the end of the tick; added ones go.").acts();
   a.raw("send", "Calls on_<message> in main.lua and everywhere, at once; true if anyone listened.", send,
         {{"message", "string", false}, {"...", "any", true}}, "boolean").acts();

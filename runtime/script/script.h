@@ -66,6 +66,7 @@ struct Drawing {
 struct ScriptHost {
   std::function<std::optional<std::string>(const std::string& path)> read;        // a file of the game
   std::function<std::vector<std::string>(const std::string& prefix)> list;        // its files
+  std::function<void(const std::string& path, const std::string& text)> write;    // into the game's folder; may be empty
   std::function<void(const ScriptFailure&)> on_error;
   LogSink log;
   std::string entry = "main.lua";
@@ -204,6 +205,7 @@ class Script {
   JointRef add_joint(const std::string& type, const Value& table, const std::string& call);
   void destroy_node(NodeId node);
   void request_scene(const std::string& path);         // scene.load at the end of the tick
+  void save_scene(const std::string& path);
   void request_scene_restart() { scene_restart_wanted_ = true; }
 
  private:
@@ -221,6 +223,8 @@ class Script {
   void forget_node(NodeId node);
   Random& line_random();
   std::string source_line(const std::string& file, int line) const;
+  std::map<std::string, Value> behaviours_of(NodeId node);
+  NodeDef whole_def(NodeId node);
   // script_scene.cpp
   void note_files(const NodeDef& def);
   std::string node_key(const std::string& name, const Value& def, const char* kind);

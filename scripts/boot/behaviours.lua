@@ -263,6 +263,20 @@ return function(parts)
     instances[node] = nil
   end
 
+  -- Name -> the properties that differ from the class's own, for scene.save.
+  function behaviours.saved(node)
+    local list = {}
+    for name, instance in pairs(instances[node] or {}) do
+      local properties = {}
+      for key, property in pairs(records[instance].info.properties) do
+        local value = rawget(instance, key)
+        if not core.same(value, property.default) then properties[key] = value end
+      end
+      list[name] = properties
+    end
+    return list
+  end
+
   -- What node.behaviours gives: instances by name, to be read, added and removed.
   function behaviours.view(node)
     return setmetatable({}, {

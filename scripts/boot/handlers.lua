@@ -361,6 +361,7 @@ return function(parts)
   function boot.check_behaviour(name, given, where) behaviours.check(name, given, where) end
   function boot.start_new() behaviours.start_new() end
   function boot.behaviours(node) return behaviours.view(node) end
+  function boot.saved_behaviours(node) return behaviours.saved(node) end
   function boot.restart_node(node, declared) behaviours.restart(node, declared) end
   function boot.destroyed(node)
     for _, name in ipairs(sorted_names(node)) do

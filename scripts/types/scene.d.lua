@@ -32,6 +32,10 @@ function scene.tagged(tag) end
 ---@param path string
 function scene.load(path) end
 
+--- Writes the loaded scene, as it is now, to path.json; only in a game's folder, while it is made.
+---@param path string
+function scene.save(path) end
+
 --- Gives declared and loaded nodes their first state back at the end of the tick; added ones go.
 function scene.restart() end
 

@@ -19,6 +19,7 @@ TestGame::TestGame(Files texts, double time_limit, std::uint64_t seed) : files(s
     for (const auto& [path, text] : files) list.push_back(path);
     return list;
   };
+  host.write = [this](const std::string& path, const std::string& text) { files[path] = text; };
   host.on_error = [this](const ScriptFailure& failure) { failures.push_back(failure); };
   host.log = [this](const LogLine& line) { log.push_back(line); };
   host.time_limit = time_limit;
