@@ -26,7 +26,7 @@ struct WorldSettings {
   bool sleeping = true;
   double default_friction = 0.5;      // of a body that gives none
   double default_restitution = 0.0;
-  Combine friction_combine = Combine::multiply;      // as Bullet and FUDGE; Unity averages
+  Combine friction_combine = Combine::multiply;      // as Bullet; see docs/guide/meanings.md
   Combine restitution_combine = Combine::max;        // the livelier surface decides
   std::vector<std::string> groups;    // at most 31 names beside the default group
 };

@@ -128,6 +128,13 @@ QueryFilter LuaType<QueryFilter>::read(Arguments& a) {
 }
 int LuaType<QueryFilter>::push(lua_State* L, const QueryFilter& v) { return push_object(L, Tag::filter, FilterData{v}), 1; }
 
+// In a game without a body rays hit nothing.
+World& Script::world_or_empty() {
+  if (World* world = engine().world()) return *world;
+  if (!empty_world_) empty_world_ = std::make_unique<World>(WorldSettings{});
+  return *empty_world_;
+}
+
 // ---- hits
 
 void push_hit(lua_State* L, const HitData& hit) { push_object(L, Tag::hit, hit); }
@@ -196,11 +203,7 @@ std::vector<Vec3> hit_points(Script&, HitRef h) {
 
 // ---- queries
 
-World& need_world(Script& s) {
-  if (World* world = s.engine().world()) return *world;
-  static World empty{WorldSettings{}};   // a game without a body: rays hit nothing
-  return empty;
-}
+World& need_world(Script& s) { return s.world_or_empty(); }
 
 Vec3 direction_or_fail(Vec3 direction, const char* call) {
   if (direction == Vec3{}) fail(call, ": direction must not be zero (got 0, 0, 0); give a direction such as node.forward");

@@ -193,6 +193,7 @@ class Script {
   void lists_changed() { lists_changed_ = true; }      // who is updated, and in which order, must be found again
   CameraView view_of(NodeId camera) const;
   HitData hit_of(const ContactEvent& event, BodyId self) const;
+  World& world_or_empty();                             // for queries, which make no world
   void note_ray(Vec3 from, Vec3 to);                   // for the debug view
   bool joint_has_option(const std::string& type, const std::string& name) const;
   // Handler slots of nodes ("on_collision_enter"): push the function, or keep the one at `value`. False where the name
@@ -263,6 +264,7 @@ class Script {
   WorldSettings game_physics_;                         // from game.json: what the text's settings start from
   bool lists_changed_ = true;
   std::unique_ptr<Engine> staging_;
+  std::unique_ptr<World> empty_world_;
   ModuleSettings live_settings_, staging_settings_;
   Declarations declared_, staged_;
   std::string declaring_file_;
