@@ -76,7 +76,8 @@ void add_error_screen(DrawList& list, const ScriptFailure& failure, double aspec
     add_text(list, line, margin + 24, y, 16, {0.75, 0.7, 0.7, 1}, true);
     y += 16;
   }
-  add_text(list, "The game goes on with the code from before. The next good save takes this away.", margin + 24, y + 12, 18, {0.8, 0.75, 0.72, 1});
+  add_text(list, failure.in_text ? "The game goes on with the code from before. The next good save takes this away."
+                                 : "What failed is stopped, the rest goes on. The next good save takes this away and tries again.", margin + 24, y + 12, 18, {0.8, 0.75, 0.72, 1});
 }
 
 void add_lines(DrawList& list, const std::vector<std::pair<std::string, Color>>& lines, double) {

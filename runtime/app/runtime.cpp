@@ -62,7 +62,7 @@ void Runtime::Impl::restart() {
     if (host.on_log) host.on_log(LogLevel::note, "restarted");
   } catch (const Error& error) {
     game->script().requests.restart = false;
-    game->script().shown_error = ScriptFailure{error.what(), "", "", 0, ""};
+    game->script().shown_error = ScriptFailure{error.what(), "", "", 0, "", true};
     if (host.on_log) host.on_log(LogLevel::error, error.what());
   }
 }

@@ -56,9 +56,24 @@ int shuffle(lua_State* L) {
 }
 
 // ---- input
+
+// Words that people try, beside typing errors; then names that hold the word: 'shift' is left_shift or right_shift.
+std::string key_hint(const std::string& wrong, const std::vector<std::string>& names) {
+  static const std::pair<const char*, const char*> habits[] = {{"esc", "escape"},        {"return", "enter"},      {"mouse", "pointer"},
+                                                               {"mouse_left", "pointer"}, {"lmb", "pointer"},       {"click", "pointer"},
+                                                               {"mouse_right", "pointer_right"}, {"rmb", "pointer_right"}, {"lshift", "left_shift"}};
+  for (const auto& [word, name] : habits)
+    if (wrong == word) return std::string("; did you mean '") + name + "'?";
+  if (const std::string near = did_you_mean(wrong, names); !near.empty()) return near;
+  if (wrong.size() >= 3)
+    for (const std::string& name : names)
+      if (name.find(wrong) != std::string::npos) return "; did you mean '" + name + "'?";
+  return "; docs/api/input.md lists the names";
+}
+
 const std::string& known(Script& s, const std::string& name, const char* call) {
   const InputMap& input = s.live_engine().input;
-  if (!input.knows(name)) fail(call, ": unknown name '", name, "'", did_you_mean(name, input.known_names()));
+  if (!input.knows(name)) fail(call, ": unknown name '", name, "'", key_hint(name, input.known_names()));
   return name;
 }
 bool is_down(Script& s, std::string name) { return s.live_engine().input.is_down(known(s, name, "input.is_down")); }
@@ -145,6 +160,8 @@ void rows_random(Area& a) {
 }
 
 void rows_input(Area& a) {
+  a.doc += " Actions are named in game.json. Keys are named by their place on an American board. All names of keys, buttons and pads: " +
+           join(raw_input_names()) + ".";
   a.fn<is_down>("is_down", "Is the key, button or action held?", "name").queries();
   a.fn<was_pressed>("was_pressed", "Was it pressed in this tick?", "name").queries();
   a.fn<was_released>("was_released", "Was it let go in this tick?", "name").queries();

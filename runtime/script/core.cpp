@@ -219,6 +219,16 @@ struct CoreApi {
     return 1;
   }
   static int raise_error(lua_State* L) { raise(L, string_at(L, 1)); }
+  // Is the nearest game file on the stack one of scripts/std?
+  static int called_from_std(lua_State* L) {
+    lua_Debug record;
+    for (int level = 1; lua_getstack(L, level, &record); ++level) {
+      lua_getinfo(L, "S", &record);
+      const std::string_view source = record.source;
+      if (source.starts_with("@") && !source.starts_with("@boot/")) return lua_pushboolean(L, source.starts_with("@std/")), 1;
+    }
+    return lua_pushboolean(L, false), 1;
+  }
   static int report(lua_State* L) {
     script(L).report_failure(string_at(L, 1), string_at(L, 2));
     return 0;
@@ -320,7 +330,7 @@ void push_core(lua_State* L) {
       {"node_enabled", CoreApi::node_enabled}, {"mark", CoreApi::mark}, {"scripted_nodes", CoreApi::scripted_nodes},
       {"find_node", CoreApi::find_node}, {"take_lists_changed", CoreApi::take_lists_changed}, {"lists_changed", CoreApi::lists_changed},
       {"now", CoreApi::now}, {"tick", CoreApi::tick}, {"tick_seconds", CoreApi::tick_seconds}, {"protected", CoreApi::protected_call},
-      {"try", CoreApi::try_call}, {"raise", CoreApi::raise_error}, {"report", CoreApi::report}, {"report_coroutine", CoreApi::report_coroutine},
+      {"try", CoreApi::try_call}, {"raise", CoreApi::raise_error}, {"called_from_std", CoreApi::called_from_std}, {"report", CoreApi::report}, {"report_coroutine", CoreApi::report_coroutine},
       {"traceback", CoreApi::traceback}, {"log", CoreApi::log}, {"permit_act", CoreApi::permit_act}, 
       
       

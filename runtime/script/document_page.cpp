@@ -163,10 +163,16 @@ std::string markdown_page(const Page& page) {
   return text;
 }
 
+// The index needs no more than what a page is about.
+static std::string first_sentence(const std::string& doc) {
+  const std::size_t end = doc.find(". ");
+  return end == std::string::npos ? doc : doc.substr(0, end + 1);
+}
+
 std::string markdown_index(const std::vector<Page>& pages) {
   std::ostringstream out;
   out << kGenerated << "# The Lua API\n\nUnits are SI and radians; any other unit is in the name. `help(x)` prints a page in the running game.\n\n";
-  for (const Page& page : pages) out << "- [" << page.title << "](" << page.name << ".md): " << escaped(page.doc, false) << '\n';
+  for (const Page& page : pages) out << "- [" << page.title << "](" << page.name << ".md): " << escaped(first_sentence(page.doc), false) << '\n';
   out << "- [std](std.md): Behaviours and modules in Lua that come with Tumble.\n";
   return out.str();
 }

@@ -244,6 +244,7 @@ void Script::report_failure(const std::string& message, const std::string& trace
   constexpr std::size_t kLongest = 1000;   // a message may quote a word of a megabyte
   if (failure.text.size() > kLongest) failure.text = failure.text.substr(0, kLongest) + " ...";
   failure.traceback = tidy_traceback(traceback);
+  failure.in_text = staging_ != nullptr;
   // "path.lua:12: ..." names the place.
   const std::size_t colon = message.find(".lua:");
   if (colon != std::string::npos) {

@@ -36,6 +36,7 @@ struct ScriptFailure {
   std::string file;       // where known
   int line = 0;
   std::string source;     // that line's text
+  bool in_text = false;   // the text itself is faulty: the code from before runs on
 };
 
 // What a script asks of the program around it.

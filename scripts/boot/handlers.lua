@@ -279,7 +279,7 @@ return function(parts)
     if set["on_" .. message] then return end
     local near = core.nearest(message, list)
     if near then core.raise(("send: nobody handles '%s'; did you mean '%s'?"):format(message, near)) end
-    if not noted[message] then
+    if not noted[message] and not core.called_from_std() then   -- a std file tells whoever wants to hear
       noted[message] = true
       core.log("note", ("message '%s' was sent and nothing handles it (no function on_%s)"):format(message, message))
     end

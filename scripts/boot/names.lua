@@ -33,6 +33,9 @@ return function(parts)
   -- never sent is a typing error.
   function names.check_handler(name, list, set, where, texts)
     if set[name] or name:sub(1, 3) ~= "on_" then return end
+    if names.slot[name] then
+      error(("%s: '%s' happens to a node: write function ball.%s(hit) for a node 'ball', or give it to a behaviour"):format(where, name, name), 0)
+    end
     local message = name:sub(4)
     for _, text in pairs(texts) do
       if text:find('"' .. message .. '"', 1, true) or text:find("'" .. message .. "'", 1, true) then return end

@@ -105,7 +105,7 @@ return function(parts)
       end
     end
     for _, gone in ipairs(old.variable_list) do
-      if not taken[gone] and new.modules[gone.file] and type(gone.initial) ~= "function" and type(gone.initial) ~= "table" then
+      if not taken[gone] and new.modules[gone.file] and type(gone.initial) ~= "function" and type(gone.initial) ~= "table" and type(gone.initial) ~= "userdata" then
         local _, value = debug.getupvalue(gone.fn, gone.index)
         state.log[#state.log + 1] = ("local %s gone (was %s)"):format(gone.name, core.short(value))
       end

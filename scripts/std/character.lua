@@ -4,7 +4,7 @@
 -- The node needs a kinematic body and a capsule as its mesh, or as its body's first collider:
 --   mesh = { shape = "capsule", radius = 0.35, height = 1.7 }, body = "kinematic", behaviours = { character = {} }
 --
--- Call from your own behaviour's update():
+-- Call from your own behaviour's update(), as self.node.behaviours.character:move(velocity), or from main.lua's:
 --   move(velocity)   where to walk in this tick, m/s; a tick without it stands still
 --   jump()           jumps now, or within buffer_seconds as soon as it lands
 --   cut_jump()       the button was let go: a jump still rising ends early

@@ -4,11 +4,17 @@
 --
 -- It begins in the direction in which its node looks, and swings round slowly when the target walks sideways; towards
 -- the camera and away from it the target walks straight. Put it below its target in the scene, so that it moves after
--- it. It sends nothing.
+-- it. It sends nothing. Since it turns, walk by its directions rather than the world's:
+--
+--   local view = scene.camera
+--   local ahead = view.forward:with_y(0):normalized()
+--   local wish = view.right * input.axis("left", "right") + ahead * input.axis("back", "forward")
+--   self.node.behaviours.character:move(wish:clamped(1) * self.speed)
 local FollowCamera = behaviour {
   target = property.node(),
   distance = 7,         -- m behind the target
   height = 3,           -- m above it
+  head = 0.9,           -- m above the target's middle: from there the view is kept free, so that low things do not count
   smoothing = 0.1,      -- s in which it closes two thirds of a gap; 0 is rigid
   turn_speed = 0.8,     -- rad/s, when the target walks straight sideways; 0 keeps its direction
 }
@@ -33,11 +39,13 @@ function FollowCamera:late_update(dt)
   local closer = self.smoothing > 0 and 1 - math.exp(-dt / self.smoothing) or 1
   self.focus = self.focus:lerp(position, closer)
   local back = quat.axis_angle(vec3.up, self.heading) * vec3(0, self.height, self.distance)
-  local direction, wanted = back:normalized(), back:length()
-  local wall = physics.cast({ shape = "sphere", radius = RADIUS }, self.focus, direction, wanted, { ignore = self.target })
+  local head = self.focus + vec3.up * self.head
+  local way = self.focus + back - head
+  local direction, wanted = way:normalized(), way:length()
+  local wall = physics.cast({ shape = "sphere", radius = RADIUS }, head, direction, wanted, { ignore = self.target })
   local free = wall and wall.distance or wanted
   self.reach = math.min(free, math.approach(self.reach, wanted, COMES_BACK * dt))
-  self.node.world_position = self.focus + direction * self.reach
+  self.node.world_position = head + direction * self.reach
   self.node:look_at(self.focus)
 end
 

@@ -60,6 +60,7 @@ void load(Runtime& runtime, const Play& play) {
   show_messages(runtime);
   if (!play.replay.empty()) runtime.play_recording(play.replay);
   runtime.load(play.game);
+  if (play.bot && runtime.is_loaded() && !runtime.has_file("bot.lua")) throw Error("play: --bot: this game has no bot.lua; leave out --bot, or write one (./tumble new shows one)");
 }
 
 std::string report_text(const Runtime& runtime) {
