@@ -189,7 +189,7 @@ void Runtime::tick(int count) {
 
 bool Runtime::frame() {
   Impl& impl = *impl_;
-  Game& game = impl.need_game("frame");
+  impl.need_game("frame");
   if (!impl.window) fail("frame: this runtime has no window; set Options::window, or call tick() and draw()");
   const WindowEvents events = impl.window->poll();
   impl.pending.insert(impl.pending.end(), events.input.begin(), events.input.end());
@@ -215,7 +215,6 @@ bool Runtime::frame() {
   // A paused world stands where it is, not between its last two ticks.
   impl.draw(impl.game->script().module_settings().paused ? 1 : impl.accumulator / h, real);
   impl.window->present();
-  (void)game;
   return !impl.quit && !impl.game->script().requests.quit;
 }
 

@@ -21,6 +21,13 @@ void describe(WorldFrame& frame, Schema& s) {
 
 namespace {
 
+std::vector<std::string> option_names(const Type& kind) {
+  std::vector<std::string> names = type_of<JointDef>().field_names();
+  for (const std::string& more : type_of<WorldFrame>().field_names()) names.push_back(more);
+  for (const std::string& more : kind.field_names()) names.push_back(more);
+  return names;
+}
+
 bool has(const Type& type, std::string_view name) { return type.field(name) || type.field_in_degrees(name); }
 
 // The options, parted by who reads them.
@@ -39,9 +46,7 @@ Parts part(const Map& options, const Type& kind, const std::string& call) {
       map->emplace_back(name, value);
       continue;
     }
-    std::vector<std::string> names = type_of<JointDef>().field_names();
-    for (const std::string& more : type_of<WorldFrame>().field_names()) names.push_back(more);
-    for (const std::string& more : kind.field_names()) names.push_back(more);
+    const std::vector<std::string> names = option_names(kind);
     const std::string hint = did_you_mean(name, names);
     fail(call, ": no field '", name, "'", hint.empty() ? "; it has " + join(names) : hint);
   }
@@ -82,5 +87,7 @@ Value write_joint(const JointDef& def, const Transform& a) {
   for (const auto& [name, value] : *kind.get<Map>()) options[name] = value;
   return options;
 }
+
+std::vector<std::string> joint_option_names(const std::string& type) { return option_names(joint_kind_type(joint_kind(type))); }
 
 }  // namespace tumble

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "physics/joint.h"
 #include "scene/node.h"
@@ -13,5 +14,8 @@ namespace tumble {
 JointDef read_joint(const std::string& type, const Value& options, const Transform& a, const std::string& call);
 // What differs from the defaults, as options.
 Value write_joint(const JointDef& def, const Transform& a);
+
+// Every option that joint.<type> takes, as the descriptions have them.
+std::vector<std::string> joint_option_names(const std::string& type);
 
 }  // namespace tumble

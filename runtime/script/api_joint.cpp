@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "base/text.h"
+#include "engine/joint_options.h"
 #include "script/areas.h"
 #include "script/script.h"
 
@@ -44,10 +45,8 @@ void destroy(Script& s, JointArg j) { s.engine().destroy_joint(j.id); }
 
 }  // namespace
 
-bool Script::joint_has_option(const std::string&, const std::string& name) const {
-  static const std::vector<std::string> names = {
-      "anchor", "axis", "world_anchor", "world_axis", "break_force", "break_torque", "collide_connected", "enabled",
-      "min", "max", "min_degrees", "max_degrees", "motor", "spring", "friction"};
+bool Script::joint_has_option(const std::string& type, const std::string& name) const {
+  const std::vector<std::string> names = joint_option_names(type);
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 

@@ -27,12 +27,6 @@ void differences(const std::string& path, const Value& before, const Value& now,
     if (!now.find(key)) list.emplace_back(prefix + key, Value{});
 }
 
-template <class T>
-const T* find_key(const std::vector<T>& list, const std::string& key) {
-  const auto found = std::find_if(list.begin(), list.end(), [&](const T& one) { return one.key == key; });
-  return found == list.end() ? nullptr : &*found;
-}
-
 // By key, for runs that declare thousands.
 template <class T>
 std::map<std::string, const T*> by_key(const std::vector<T>& list) {

@@ -12,7 +12,7 @@ return function(parts)
   local reload = {}
 
   -- ---- committing one run over another
-  local function commit_variable(state, old_run, variable, match)
+  local function commit_variable(state, variable, match)
     local _, live = debug.getupvalue(match.fn, match.index)
     local _, fresh = debug.getupvalue(variable.fn, variable.index)
     local value = live
@@ -82,7 +82,7 @@ return function(parts)
       end
     end
     for _, variable in ipairs(new.variable_list) do
-      if matches[variable] then commit_variable(state, old, variable, matches[variable]) end
+      if matches[variable] then commit_variable(state, variable, matches[variable]) end
     end
     join(new, matches)
     join_variable_keepers(matches)

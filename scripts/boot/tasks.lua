@@ -188,8 +188,6 @@ return function(parts)
     end
   end
 
-  function tasks.clear() list = {} end
-
   -- ---- tweens
   local eases = {
     linear = function(t) return t end,

@@ -1,0 +1,23 @@
+// Options that a joint takes and was not given read as nil; others are errors with the nearest name.
+#include <catch2/catch.hpp>
+
+#include "engine/joint_options.h"
+#include "physics/joint.h"
+#include "support/test_game.h"
+
+using namespace tumble;
+
+TEST_CASE("joints: every described option of every kind can be read, and nothing else", "[script]") {
+  for (const std::string& kind : joint_kind_names()) {
+    std::string reads;
+    for (const std::string& name : joint_option_names(kind)) reads += "  local _ = j." + name + "\n";
+    const std::string make = "local a = scene.add { name = 'a', mesh = 'box', body = {} }\nlocal j = joint." + kind + " { a = a }\n";
+
+    TestGame good(Files{{"main.lua", make + "function start()\n" + reads + "end\n"}});
+    INFO(kind);
+    CHECK(good.last_error() == "");
+
+    TestGame wrong(Files{{"main.lua", make + "function start() local _ = j.break_forse end\n"}});
+    CHECK(wrong.last_error().find("has no 'break_forse'") != std::string::npos);
+  }
+}
