@@ -37,6 +37,7 @@ void Game::tick(std::vector<InputEvent> events) {
 DrawList Game::draw(double alpha, double dt, double aspect) {
   if (script_->loaded()) script_->frame(dt);
   DrawList list = extract(*engine_, alpha, aspect);
+  list.assets = assets_.get();
   add_script_drawing(list);
   add_debug_lines(list);
   add_log_overlay(list, aspect);

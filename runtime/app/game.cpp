@@ -31,6 +31,8 @@ Game::Game(const std::string& path, const GameHost& host) : host_(host) {
   engine_->log = [this](const LogLine& line) {
     if (hints_.insert(line.text).second) note(line.level, line.text);
   };
+  assets_ = std::make_unique<AssetLibrary>([this](const std::string& file) { return read(file); }, engine_->log);
+  engine_->assets = assets_.get();
   ScriptHost script_host;
   script_host.read = [this](const std::string& file) { return read(file); };
   script_host.list = [this](const std::string& prefix) { return package_->list(prefix); };
@@ -82,6 +84,7 @@ void Game::poll_changes() {
 
 void Game::reload(const std::vector<std::string>& changed) {
   if (std::find(changed.begin(), changed.end(), "game.json") != changed.end()) note(LogLevel::note, "game.json changed: F5 takes it");
+  for (const std::string& file : changed) assets_->forget(file);
   const std::string text = script_->reload(changed);
   if (!text.empty()) note(LogLevel::note, text);
 }

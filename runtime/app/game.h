@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "assets/library.h"
 #include "assets/package.h"
 #include "assets/watch.h"
 #include "engine/engine.h"
@@ -68,6 +69,7 @@ class Game {
   const GameHost& host_;
   std::unique_ptr<Package> package_;
   std::unique_ptr<Watch> watch_;
+  std::unique_ptr<AssetLibrary> assets_;
   std::unique_ptr<Engine> engine_;
   std::unique_ptr<Script> script_;
   std::int64_t ticks_ = 0;

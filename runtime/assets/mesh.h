@@ -12,6 +12,7 @@ namespace tumble {
 struct Vertex {
   std::array<float, 3> position;
   std::array<float, 3> normal;  // unit
+  std::array<float, 2> uv{};    // of a texture: 0..1 once over each face, v down
 };
 
 // Closed and counter-clockwise seen from outside; axis y, centred on the origin, metres.

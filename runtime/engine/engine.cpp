@@ -57,6 +57,10 @@ NodeId Engine::add_nodes(const NodeDef& def, NodeId parent, Origin origin, NodeI
   if (def.color) (node.material ? *node.material : node.material.emplace()).color = *def.color;
   node.light = def.light;
   node.camera = def.camera;
+  node.sky = def.sky;
+  node.sound = def.sound;
+  node.particles = def.particles;
+  node.animation = def.animation;
   for (const NodeDef& child : def.children) add_nodes(child, id, origin, {});
   return id;
 }
@@ -84,6 +88,10 @@ NodeDef Engine::def(NodeId id) const {
   def.material = node.material;
   def.light = node.light;
   def.camera = node.camera;
+  def.sky = node.sky;
+  def.sound = node.sound;
+  def.particles = node.particles;
+  def.animation = node.animation;
   if (body(id)) def.body = body_def(id);
   for (const JointRef joint : joints_of(id))
     if (joints_[joint].a == id) def.joints.push_back(joint_entry(joint));

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "assets/library.h"
 #include "base/log.h"
 #include "engine/input_map.h"
 #include "engine/node_def.h"
@@ -57,6 +58,7 @@ class Engine {
   Random random;
   std::uint64_t tick = 0;           // the number of this tick, or of the last one between two; the first is 1
   LogSink log;                      // hints for the author; may be empty
+  AssetLibrary* assets = nullptr;   // models and pictures; outlives the engine; null: none
 
   // ---- nodes
   // With children, components and joints from the def; behaviours are the caller's. `handle`: reserved, for the top node.

@@ -123,6 +123,10 @@ void Engine::reset_nodes() {
     if (first.def.color) (node.material ? *node.material : node.material.emplace()).color = *first.def.color;
     node.light = first.def.light;
     node.camera = first.def.camera;
+    node.sky = first.def.sky;
+    node.sound = first.def.sound;
+    node.particles = first.def.particles;
+    node.animation = first.def.animation;
   }
   for (const NodeId node : nodes) scene.sort_children(scene[node].parent);
   for (const NodeId node : nodes)

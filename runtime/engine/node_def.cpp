@@ -10,6 +10,10 @@ void describe_components(NodeDef& node, Schema& s) {
   s.add("color", node.color, "Color of the material.");
   s.add("light", node.light, "Makes it a light.");
   s.add("camera", node.camera, "Makes it a camera.");
+  s.add("sky", node.sky, "Sky and fog around everything.");
+  s.add("sound", node.sound, "What is heard from it.");
+  s.add("particles", node.particles, "Small sprites that rise from it.");
+  s.add("animation", node.animation, "Keyframes that move it.");
   s.add("body", node.body, "Makes it a rigid body.");
   s.add("behaviours", node.behaviours, "Scripts by name, each with a table of its properties.");
   s.add("joints", node.joints,

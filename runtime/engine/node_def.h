@@ -34,6 +34,10 @@ struct NodeDef {
   std::optional<Color> color;       // of the material
   std::optional<Light> light;
   std::optional<Camera> camera;
+  std::optional<Sky> sky;
+  std::optional<Sound> sound;
+  std::optional<Particles> particles;
+  std::optional<Animation> animation;
   std::optional<BodyDef> body;
   std::map<std::string, Value> behaviours;   // name -> table of properties; nil only in files, in a copy of a prefab: none
   std::vector<Value> joints;        // of nodes from files: each a JointEntry

@@ -34,6 +34,10 @@ const std::map<std::string, Write, std::less<>>& writes() {
       {"color", write_color},
       {"light", [](Engine& e, NodeId n, const NodeDef& d, const std::string&) { e.scene[n].light = d.light; }},
       {"camera", [](Engine& e, NodeId n, const NodeDef& d, const std::string&) { e.scene[n].camera = d.camera; }},
+      {"sky", [](Engine& e, NodeId n, const NodeDef& d, const std::string&) { e.scene[n].sky = d.sky; }},
+      {"sound", [](Engine& e, NodeId n, const NodeDef& d, const std::string&) { e.scene[n].sound = d.sound; }},
+      {"particles", [](Engine& e, NodeId n, const NodeDef& d, const std::string&) { e.scene[n].particles = d.particles; }},
+      {"animation", [](Engine& e, NodeId n, const NodeDef& d, const std::string&) { e.scene[n].animation = d.animation; }},
       {"body", [](Engine& e, NodeId n, const NodeDef& d, const std::string& call) { e.set_body(n, d.body, call); }},
   };
   return table;

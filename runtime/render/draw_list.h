@@ -13,6 +13,8 @@
 
 namespace tumble {
 
+class AssetLibrary;
+
 // Column-major 4x4.
 using Matrix = std::array<float, 16>;
 
@@ -23,6 +25,30 @@ struct DrawMesh {
   Color color;             // sRGB
   float roughness = 0.7f, metalness = 0, glow = 0;
   std::uint64_t key = 0;   // equal keys: equal shape, may be drawn as instances
+  int part = -1;           // of the model file that the shape names; -1: a built-in shape
+  std::string texture;     // path in the game; empty: none
+  float texture_size = 0;  // m that it covers before it repeats; 0: once over each face
+};
+
+// A point or spot light.
+struct DrawLight {
+  bool spot = false;
+  std::array<float, 3> position, direction;  // picture space; direction: a spot's, unit
+  Color color;
+  float brightness = 1, range = 10;          // m
+  float angle = 0.7853982f;                  // of a spot's whole cone, rad
+};
+
+// A sprite that faces the eye.
+struct DrawParticle {
+  std::array<float, 3> position;             // picture space
+  float size = 0.1f;                         // across, m
+  Color color;
+  float glow = 0;
+};
+struct DrawParticles {
+  std::string texture;                       // empty: a soft disc
+  std::vector<DrawParticle> particles;
 };
 
 struct DrawLine {
@@ -42,11 +68,15 @@ struct DrawText {
 struct DrawPanel {
   float x = 0, y = 0, width = 0, height = 0;
   Color color;
+  float radius = 0;               // of its corners
+  std::string image;              // path in the game: drawn over the whole rectangle, tinted by the color; empty: none
 };
 struct DrawUi {
   bool is_text = false;
   DrawText text;
   DrawPanel panel;
+  // Nothing is drawn outside {x, y, width, height}; no width: no limit.
+  std::array<float, 4> clip{};
 };
 
 struct DrawList {
@@ -62,6 +92,13 @@ struct DrawList {
   bool sun_shadow = true;
   Color sky_top{0.35, 0.55, 0.85, 1}, sky_horizon{0.80, 0.88, 0.95, 1}, ground{0.45, 0.43, 0.40, 1};
 
+  double sky_brightness = 1, exposure = 1;
+  Color fog_color;
+  double fog_start = 0, fog_end = 0;           // m from the eye; fog_end 0: no fog
+
+  AssetLibrary* assets = nullptr;              // models and pictures; null: stand-ins
+  std::vector<DrawLight> lights;
+  std::vector<DrawParticles> particles;
   std::vector<DrawMesh> meshes;
   std::vector<DrawLine> lines;
   std::vector<DrawUi> ui;

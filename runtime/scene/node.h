@@ -6,10 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "base/color.h"
-#include "base/describe.h"
 #include "base/handle.h"
 #include "base/shape.h"
+#include "scene/components.h"
 
 namespace tumble {
 
@@ -31,32 +30,6 @@ Transform relative(const Transform& parent, const Transform& world);
 Transform between(const Transform& a, const Transform& b, double t);
 inline Vec3 to_parent(const Transform& t, Vec3 p) { return t.position + t.rotation * scaled(t.scale, p); }
 inline Vec3 from_parent(const Transform& t, Vec3 p) { return unscaled(conjugate(t.rotation) * (p - t.position), t.scale); }
-
-struct Material {
-  Color color{0.8, 0.8, 0.8, 1};
-  std::string texture;
-  double roughness = 0.7, metalness = 0, glow = 0, opacity = 1;
-};
-void describe(Material& material, Schema& s);
-
-enum class LightType { sun, point, spot };
-const EnumNames& enum_names(LightType);
-struct Light {
-  LightType type = LightType::sun;
-  Color color{1, 1, 1, 1};
-  double brightness = 1;      // 1 is a clear day
-  double range = 10;          // of a point or spot light, m
-  bool shadow = true;
-  double angle = 0.7853981633974483;  // of a spot's whole cone, rad
-};
-void describe(Light& light, Schema& s);
-
-struct Camera {
-  double field_of_view = 1.0471975511965976;  // vertical, rad (60 degrees)
-  double near = 0.1, far = 1000;              // m
-  bool active = true;                         // the first active camera in tree order is drawn from
-};
-void describe(Camera& camera, Schema& s);
 
 // Where a node came from: it decides what a reload, scene.load and scene.restart do with it.
 enum class Origin : std::uint8_t { declared, loaded, added };
@@ -83,6 +56,10 @@ struct SceneNode {
   std::optional<Material> material;
   std::optional<Light> light;
   std::optional<Camera> camera;
+  std::optional<Sky> sky;
+  std::optional<Sound> sound;
+  std::optional<Particles> particles;
+  std::optional<Animation> animation;
 
   mutable Transform world;              // cached; ask Scene::world
   mutable bool world_valid = false;

@@ -78,12 +78,20 @@ Results mesh(Script& s, NodeRef n) { return push_part(s, n, Tag::mesh, node_of(s
 Results material(Script& s, NodeRef n) { return push_part(s, n, Tag::material, true); }
 Results light(Script& s, NodeRef n) { return push_part(s, n, Tag::light, node_of(s, n).light.has_value()); }
 Results camera(Script& s, NodeRef n) { return push_part(s, n, Tag::camera, node_of(s, n).camera.has_value()); }
+Results sky(Script& s, NodeRef n) { return push_part(s, n, Tag::sky, node_of(s, n).sky.has_value()); }
+Results sound(Script& s, NodeRef n) { return push_part(s, n, Tag::sound, node_of(s, n).sound.has_value()); }
+Results particles(Script& s, NodeRef n) { return push_part(s, n, Tag::particles, node_of(s, n).particles.has_value()); }
+Results animation(Script& s, NodeRef n) { return push_part(s, n, Tag::animation, node_of(s, n).animation.has_value()); }
 Results children(Script& s, NodeRef n) { return push_part(s, n, Tag::children, true); }
 void set_body(Script& s, NodeRef n, Value v) { s.engine().set_field(n.id, "body", v, "node.body"); }
 void set_mesh(Script& s, NodeRef n, Value v) { s.engine().set_field(n.id, "mesh", v, "node.mesh"); }
 void set_material(Script& s, NodeRef n, Value v) { s.engine().set_field(n.id, "material", v, "node.material"); }
 void set_light(Script& s, NodeRef n, Value v) { s.engine().set_field(n.id, "light", v, "node.light"); }
 void set_camera(Script& s, NodeRef n, Value v) { s.engine().set_field(n.id, "camera", v, "node.camera"); }
+void set_sky(Script& s, NodeRef n, Value v) { s.engine().set_field(n.id, "sky", v, "node.sky"); }
+void set_sound(Script& s, NodeRef n, Value v) { s.engine().set_field(n.id, "sound", v, "node.sound"); }
+void set_particles(Script& s, NodeRef n, Value v) { s.engine().set_field(n.id, "particles", v, "node.particles"); }
+void set_animation(Script& s, NodeRef n, Value v) { s.engine().set_field(n.id, "animation", v, "node.animation"); }
 Results behaviours(Script& s, NodeRef n) { return s.push_behaviours(n.id); }
 
 NodeRef get(Script& s, NodeRef n, std::string path) { return {s.engine().scene.get_by_path(path, n.id, "node:get")}; }
@@ -189,6 +197,10 @@ void rows_node(Area& a) {
   a.prop<material, set_material>("material", "How its surface looks.").gives("material");
   a.prop<light, set_light>("light", "The light that shines from it, or nil.").gives("light or nil");
   a.prop<camera, set_camera>("camera", "The camera that looks from it, or nil.").gives("camera or nil");
+  a.prop<sky, set_sky>("sky", "The sky and fog that it brings, or nil.").gives("sky or nil");
+  a.prop<sound, set_sound>("sound", "What is heard from it, or nil.").gives("sound or nil");
+  a.prop<particles, set_particles>("particles", "The small sprites that rise from it, or nil.").gives("particles or nil");
+  a.prop<animation, set_animation>("animation", "The keyframes that move it, or nil.").gives("animation or nil");
   a.prop<body, set_body>("body", "Its physical body, or nil.").gives("body or nil");
   a.rows.emplace_back(Row{Row::Kind::property, a.name, "behaviours", "Its behaviours by name: node.behaviours.slime.", {}, "table", nullptr,
                           &detail::Bound<behaviours>::call, nullptr, Permit::always, true, false});
@@ -227,6 +239,10 @@ void rows_children(Area&) {}
 void rows_mesh(Area&) {}
 void rows_material(Area&) {}
 void rows_light(Area&) {}
+void rows_sky(Area&) {}
+void rows_sound(Area&) {}
+void rows_particles(Area&) {}
+void rows_animation(Area&) {}
 void rows_camera(Area& a) {
   a.method<to_screen_point>("to_screen", "Where a point of the world is on the screen, in ui units, and whether it is in front.", "point");
   a.method<ray>("ray", "The two ends of the line of sight through a place on the screen.", "x", "y");

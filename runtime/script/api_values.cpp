@@ -258,7 +258,7 @@ void open_value_operators(lua_State* L) {
   set_metamethods(L, Tag::vec3, {{"__add", vec3_add}, {"__sub", vec3_sub}, {"__mul", vec3_mul}, {"__div", vec3_div}, {"__unm", vec3_unm}, {"__eq", vec3_equal}});
   set_metamethods(L, Tag::quat, {{"__mul", quat_mul}, {"__eq", quat_equal}});
   set_metamethods(L, Tag::color, {{"__eq", color_equal}});
-  for (const Tag tag : {Tag::body, Tag::mesh, Tag::material, Tag::light, Tag::camera}) set_metamethods(L, tag, {{"__eq", body_equal}});
+  for (const Tag tag : {Tag::body, Tag::mesh, Tag::material, Tag::light, Tag::camera, Tag::sky, Tag::sound, Tag::particles, Tag::animation}) set_metamethods(L, tag, {{"__eq", body_equal}});
 }
 
 }  // namespace tumble

@@ -14,6 +14,10 @@ void rows_children(Area&);
 void rows_mesh(Area&);
 void rows_material(Area&);
 void rows_light(Area&);
+void rows_sky(Area&);
+void rows_sound(Area&);        // the component, node.sound
+void rows_particles(Area&);
+void rows_animation(Area&);
 void rows_camera(Area&);
 void rows_body(Area&);
 void rows_physics(Area&);

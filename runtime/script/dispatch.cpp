@@ -181,7 +181,7 @@ int read_only_index(lua_State* L) {
 void fail_unknown(lua_State*, const Area& area, const std::string& owner, const std::string& name) {
   // Known to a component of the node, and so only at the wrong place?
   if (area.name == "node")
-    for (const char* part : {"body", "mesh", "material", "light", "camera"}) {
+    for (const char* part : {"body", "mesh", "material", "light", "camera", "sky", "sound", "particles", "animation"}) {
       const Area& component = tumble::area(part);
       const Row* row = component.find(name);
       const bool field = component.described && component.described->field(name);

@@ -13,7 +13,7 @@
 namespace tumble {
 
 enum class Tag : std::uint32_t {
-  vec3 = 0x7b1e0000, quat, color, node, joint, body, mesh, material, light, camera, view, children, hit, filter, property, end
+  vec3 = 0x7b1e0000, quat, color, node, joint, body, mesh, material, light, camera, sky, sound, particles, animation, view, children, hit, filter, property, end
 };
 constexpr int kTags = static_cast<int>(Tag::end) - static_cast<int>(Tag::vec3);
 constexpr int tag_index(Tag tag) { return static_cast<int>(tag) - static_cast<int>(Tag::vec3); }

@@ -54,7 +54,7 @@ void order_object(lua_State* L, int index, KeyOrder& order) {
   order.number = tag_index(tag);
   if (tag == Tag::node) {
     order.age = age_of_node(script, *object_at<NodeId>(L, index, tag));
-  } else if ((tag >= Tag::body && tag <= Tag::camera) || tag == Tag::children) {
+  } else if ((tag >= Tag::body && tag <= Tag::animation) || tag == Tag::children) {
     order.age = age_of_node(script, object_at<ComponentData>(L, index, tag)->node);
   } else if (tag == Tag::joint) {
     const JointRecord* joint = script.live_engine().joint(*object_at<JointRef>(L, index, tag));

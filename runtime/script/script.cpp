@@ -225,7 +225,7 @@ std::string tidy_traceback(const std::string& traceback) {
 
 // What Lua says of a missing component does not name the way out; we can.
 std::string explain(const std::string& message) {
-  for (const char* part : {"body", "mesh", "light", "camera"}) {
+  for (const char* part : {"body", "mesh", "light", "camera", "sky", "sound", "particles", "animation"}) {
     const std::string field = std::string("(field '") + part + "')";
     if (message.find("attempt to index a nil value " + field) != std::string::npos)
       return message + "; the node has no " + part + ": add one with node." + part + " = " + (part == std::string("body") ? "{ mass = 1 }" : "...");

@@ -59,7 +59,7 @@ std::string Script::object_text(int index) {
     if (!record) return "a destroyed joint";
     return record->name.empty() ? "a " + record->type + " joint" : record->type + " '" + record->name + "'";
   }
-  if (tag >= Tag::body && tag <= Tag::camera) {
+  if (tag >= Tag::body && tag <= Tag::animation) {
     const NodeId node = object_at<ComponentData>(L, index, tag)->node;
     const SceneNode* n = engine().scene.get(node);
     return std::string(tag_name(tag)) + (n ? " of node '" + n->name + "'" : " of a destroyed node");

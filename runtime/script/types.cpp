@@ -10,7 +10,7 @@ namespace tumble {
 
 const char* tag_name(Tag tag) {
   static const char* const names[] = {"vec3",   "quat",  "color",  "node", "joint",  "body",     "mesh",   "material",
-                                      "light",  "camera", "table", "list of children", "hit", "filter", "property"};
+                                      "light",  "camera", "sky", "sound", "particles", "animation", "table", "list of children", "hit", "filter", "property"};
   return tag == Tag::end ? "userdata" : names[tag_index(tag)];
 }
 
@@ -184,7 +184,7 @@ BodyRef LuaType<BodyRef>::read(Arguments& a) {
 int LuaType<BodyRef>::push(lua_State* L, const BodyRef& v) { return script_of(L).push_component(v.node, Tag::body), 1; }
 
 ComponentRef LuaType<ComponentRef>::read(Arguments& a) {
-  return self_component<NodeId, ComponentRef>(a, Tag::mesh, Tag::camera, "component");
+  return self_component<NodeId, ComponentRef>(a, Tag::mesh, Tag::animation, "component");
 }
 int LuaType<ComponentRef>::push(lua_State* L, const ComponentRef& v) { return script_of(L).push_component(v.node, Tag::mesh), 1; }
 

@@ -49,7 +49,7 @@ struct NodeRef { NodeId id; };            // a living node
 struct AnyNode { NodeId id; };            // a node, dead or alive
 struct JointArg { JointRef id; };         // a joint that is still there
 struct BodyRef { NodeId node; };          // the body of a living node that has one
-struct ComponentRef { NodeId node; };     // mesh, material, light or camera of a living node
+struct ComponentRef { NodeId node; };     // mesh, light, sky ... of a living node
 struct HitRef { struct HitData* hit; };
 struct Function { int index = 0; };       // a Lua function on the stack
 struct Rest { int first = 0, count = 0; };// whatever follows

@@ -26,6 +26,10 @@ Value component_value(Script& script, NodeId node, const std::string& component)
   if (component == "material") return to_value(n->material.value_or(Material{}));
   if (component == "light" && n->light) return to_value(*n->light);
   if (component == "camera" && n->camera) return to_value(*n->camera);
+  if (component == "sky" && n->sky) return to_value(*n->sky);
+  if (component == "sound" && n->sound) return to_value(*n->sound);
+  if (component == "particles" && n->particles) return to_value(*n->particles);
+  if (component == "animation" && n->animation) return to_value(*n->animation);
   fail("node '", n->name, "' has no ", component, " any more");
 }
 
@@ -39,6 +43,10 @@ const void* component_object(Script& script, NodeId node, const std::string& com
   if (component == "material") return n->material ? &*n->material : &plain;
   if (component == "light" && n->light) return &*n->light;
   if (component == "camera" && n->camera) return &*n->camera;
+  if (component == "sky" && n->sky) return &*n->sky;
+  if (component == "sound" && n->sound) return &*n->sound;
+  if (component == "particles" && n->particles) return &*n->particles;
+  if (component == "animation" && n->animation) return &*n->animation;
   fail("node '", n->name, "' has no ", component, " any more");
 }
 
@@ -206,7 +214,7 @@ int index_described(lua_State* L, const Area& area) {
   if (tag == Tag::view) return index_view(L);
   if (tag == Tag::joint) return index_joint(L, area);
   const std::string key = key_of(L, 2);
-  if (tag >= Tag::body && tag <= Tag::camera) {
+  if (tag >= Tag::body && tag <= Tag::animation) {
     BodyDef body;
     const NodeId node = node_of_component(L);
     const void* object = component_object(script, node, area.name, body);
@@ -226,7 +234,7 @@ int newindex_described(lua_State* L, const Area& area) {
   if (tag == Tag::joint) return newindex_joint(L);
   if (tag == Tag::vec3 || tag == Tag::quat || tag == Tag::color) return newindex_value(L);
   const std::string key = key_of(L, 2);
-  if (tag >= Tag::body && tag <= Tag::camera) {
+  if (tag >= Tag::body && tag <= Tag::animation) {
     check_write(script, area.name + "." + key);
     const std::vector<std::string> names = area.described->field_names();
     if (std::find(names.begin(), names.end(), key) == names.end()) fail_unknown(L, area, area.name, key);

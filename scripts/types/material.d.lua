@@ -5,6 +5,7 @@
 ---@class material
 ---@field color color|string A CSS name, "#rrggbb" or a color.
 ---@field texture string A PNG or JPEG file; the color tints it.
+---@field texture_size number How many metres the picture covers before it repeats, m; 0: once over each face.
 ---@field roughness number 0 is a mirror, 1 is chalk.
 ---@field metalness number 1 is metal: reflections take its color.
 ---@field glow number Light of its own; 1 shows the color at full brightness in the dark.
@@ -15,6 +16,7 @@ local material = {}
 ---@class material_options
 ---@field color? color|string A CSS name, "#rrggbb" or a color.
 ---@field texture? string A PNG or JPEG file; the color tints it.
+---@field texture_size? number How many metres the picture covers before it repeats, m; 0: once over each face.
 ---@field roughness? number 0 is a mirror, 1 is chalk.
 ---@field metalness? number 1 is metal: reflections take its color.
 ---@field glow? number Light of its own; 1 shows the color at full brightness in the dark.

@@ -26,6 +26,10 @@
 ---@field material material|material_options|string How its surface looks.
 ---@field light light|light_options|string The light that shines from it, or nil.
 ---@field camera camera|camera_options The camera that looks from it, or nil.
+---@field sky sky|sky_options|string The sky and fog that it brings, or nil.
+---@field sound sound|sound_options|string What is heard from it, or nil.
+---@field particles particles|particles_options The small sprites that rise from it, or nil.
+---@field animation animation|animation_options|string The keyframes that move it, or nil.
 ---@field body body|body_options|string Its physical body, or nil.
 ---@field behaviours table Its behaviours by name: node.behaviours.slime.
 ---@field update? fun(dt: number) Each tick.
@@ -142,6 +146,10 @@ function node:get_scale() end
 ---@field color? color|string Color of the material.
 ---@field light? light_options|string Makes it a light.
 ---@field camera? camera_options Makes it a camera.
+---@field sky? sky_options|string Sky and fog around everything.
+---@field sound? sound_options|string What is heard from it.
+---@field particles? particles_options Small sprites that rise from it.
+---@field animation? animation_options|string Keyframes that move it.
 ---@field body? body_options|string Makes it a rigid body.
 ---@field behaviours? table<string, any> Scripts by name, each with a table of its properties.
 ---@field joints? (any)[]|any In files: joints from this node, each a table with type, name, b and the options of joint.<type>.

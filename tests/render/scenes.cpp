@@ -5,6 +5,7 @@
 
 #include "assets/image.h"
 #include "base/error.h"
+#include "support/source_tree.h"
 
 namespace tumble::test {
 namespace {
@@ -106,7 +107,7 @@ Picture load_picture(const std::string& file) {
 }
 
 Difference difference_to_golden(const Picture& picture, const std::string& name) {
-  const auto file = std::filesystem::path(__FILE__).parent_path().parent_path() / "golden" / (name + ".png");
+  const auto file = source_tree("tests/golden/" + name + ".png");
   Difference result{255, 1};
   if (std::filesystem::exists(file)) result = difference(picture, load_picture(file.string()));
   if (!result.is_small()) write_png(picture, name + ".actual.png");

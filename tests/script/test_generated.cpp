@@ -50,6 +50,7 @@ Names joined(std::initializer_list<Names> lists) {
 
 const std::map<std::string, std::string> kSamples = {
     {"node", "ball"},         {"mesh", "ball.mesh"},  {"material", "ball.material"}, {"light", "lamp.light"},    {"camera", "eye.camera"},
+    {"sky", "lamp.sky"},      {"sound", "lamp.sound"}, {"particles", "lamp.particles"}, {"animation", "lamp.animation"},
     {"body", "ball.body"},    {"joint", "hinge"},     {"vec3", "vec3.up"},           {"quat", "quat.identity"},  {"color", "ball.color"},
     {"hit", "last_hit"},      {"task", "a_task"},     {"behaviour", "behaviour_of_ball"}};
 
@@ -57,7 +58,7 @@ const char* const kGame = R"(
 local floor = scene.add { name = "floor", mesh = { shape = "box", size = vec3(9, 1, 9) }, body = "static" }
 local ball = scene.add { name = "ball", position = vec3(0, 3, 0), mesh = "sphere", material = "red", body = "dynamic", behaviours = { thing = {} } }
 local rod = scene.add { name = "rod", position = vec3(2, 3, 0), mesh = "box", body = "dynamic" }
-local lamp = scene.add { name = "lamp", light = "sun" }
+local lamp = scene.add { name = "lamp", light = "sun", sky = {}, sound = {}, particles = {}, animation = {} }
 local eye = scene.add { name = "eye", position = vec3(0, 2, 9), camera = {} }
 local hinge = joint.hinge { name = "hinge", a = rod }
 local slider = joint.slider { name = "slider", a = ball }

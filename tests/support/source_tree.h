@@ -10,10 +10,7 @@
 namespace tumble {
 
 // The folder of README.md; with a path, that file or folder in it.
-inline std::filesystem::path source_tree(const std::string& path = "") {
-  const auto top = std::filesystem::path(__FILE__).parent_path().parent_path().parent_path();
-  return path.empty() ? top : top / path;
-}
+std::filesystem::path source_tree(const std::string& path = "");
 
 inline std::string read_source(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);

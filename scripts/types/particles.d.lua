@@ -1,0 +1,37 @@
+---@meta
+-- Written by `tumble docs` from the table behind the bindings; change it there.
+
+--- Small sprites that rise from a node: node.particles.
+---@class particles
+---@field rate number How many begin in a second, 1/s.
+---@field life number How long each is seen, s.
+---@field speed number At their start, along the node's up direction, m/s.
+---@field spread number How far they may stray from that direction.
+---@field spread_degrees number The same in degrees.
+---@field area vec3 Size of the box in which they begin, m.
+---@field size number Across, at their start, m.
+---@field size_end number Across, at their end, m.
+---@field color color|string At their start.
+---@field color_end? color|string At their end; nil: the color, fading.
+---@field gravity_factor number How much gravity pulls them; below 0 they rise.
+---@field glow number Light of their own, as of a material.
+---@field texture string A PNG file; none: a soft disc.
+---@field playing boolean Do new ones begin?
+local particles = {}
+
+--- Small sprites that rise from a node: smoke, sparks, dust.
+---@class particles_options
+---@field rate? number How many begin in a second, 1/s.
+---@field life? number How long each is seen, s.
+---@field speed? number At their start, along the node's up direction, m/s.
+---@field spread? number How far they may stray from that direction.
+---@field spread_degrees? number The same in degrees.
+---@field area? vec3 Size of the box in which they begin, m.
+---@field size? number Across, at their start, m.
+---@field size_end? number Across, at their end, m.
+---@field color? color|string At their start.
+---@field color_end? color|string At their end; nil: the color, fading.
+---@field gravity_factor? number How much gravity pulls them; below 0 they rise.
+---@field glow? number Light of their own, as of a material.
+---@field texture? string A PNG file; none: a soft disc.
+---@field playing? boolean Do new ones begin?
