@@ -1,83 +1,116 @@
 -- The court: only declarations, so every number in here can be changed while the ball flies.
--- Metres. The ball waits at the free-throw line; the hoop hangs 4.2 m in front of it (forward is -z).
+-- Metres. The hoop hangs 4.2 m in front of the free-throw line, which is at z = 0; forward is -z.
 local hoop = vec3(0, 3.05, -4.2)
+local white, steel = "#f4efe2", "#4b4658"
 
-scene.add { name = "sun", rotation_degrees = vec3(-55, 35, 0), light = "sun" }
-scene.add { name = "camera", position = vec3(0, 2.6, 3.8), rotation_degrees = vec3(-5, 0, 0),
-  camera = { field_of_view_degrees = 48 } }
+-- ---- the floor and what is painted on it, layer on layer
+scene.add { name = "floor", position = vec3(0, -0.1, 1), color = "#4c4763",
+  mesh = { shape = "box", size = vec3(30, 0.2, 24) }, body = { type = "static", restitution = 0.8 } }
 
--- The ball bounces by what it hits: of two restitutions the larger one counts.
-local ball = scene.add { name = "ball", position = vec3(0, 1.5, 0), color = "darkorange",
-  mesh = { shape = "sphere", radius = 0.12 }, behaviours = { ball = {} },
-  body = { type = "kinematic", mass = 0.62, restitution = 0.2, continuous = true, group = "ball" } }
+local layers = 0
+local function paint(name, x, z, width, depth, color, turn)
+  layers = layers + 1
+  return scene.add { name = name, position = vec3(x, 0.002 + layers * 0.0004, z), color = color,
+    rotation = quat.axis_angle(vec3.up, turn or 0), mesh = { shape = "box", size = vec3(width, 0.004, depth) } }
+end
+
+paint("court", 0, 1.1, 15, 13, "#2c8c8f")
+paint("key", 0, -2.7, 3.6, 5.4, "#e0654f")
+paint("base line", 0, -5.4, 15, 0.07, white)
+for _, side in ipairs { -1, 1 } do
+  paint("side line", side * 7.5, 1.1, 0.07, 13, white)
+  paint("key line", side * 1.8, -2.7, 0.07, 5.4, white)
+  paint("three-point line", side * 6.2, -4.8, 0.07, 1.2, white)
+end
+paint("free-throw line", 0, 0, 3.6, 0.07, white)
+
+-- A line along a part of a circle, made of short straight ones.
+local function paint_arc(name, z, radius, from_degrees, to_degrees, pieces)
+  local step = math.rad(to_degrees - from_degrees) / pieces
+  for i = 1, pieces do
+    local turn = math.rad(from_degrees) + (i - 0.5) * step
+    paint(name, radius * math.sin(turn), z + radius * math.cos(turn), radius * step * 1.02, 0.07, white, turn)
+  end
+end
+paint_arc("three-point line", -4.2, 6.2, -90, 90, 30)
+paint_arc("free-throw circle", 0, 1.8, -90, 90, 14)
+
+-- ---- where to throw from, in turn
+local spots = {
+  { x = 0, z = 0, points = 2 },
+  { x = -2.6, z = -1, points = 2 },
+  { x = 2.6, z = -1, points = 2 },
+  { x = 0, z = 2.5, points = 3 },
+  { x = -4.4, z = 0.85, points = 3 },
+  { x = 4.4, z = 0.85, points = 3 },
+}
+for i, spot in ipairs(spots) do
+  scene.add { name = "spot " .. i, tags = "spot", position = vec3(spot.x, 0.02, spot.z), color = "#ffc65a",
+    mesh = { shape = "cylinder", radius = 0.22, height = 0.01 }, behaviours = { spot = { points = spot.points } } }
+end
+
+-- ---- the ball bounces by what it hits: of two restitutions the larger one counts
+local ball = scene.add { name = "ball", position = vec3(0, 1.5, 0), behaviours = { aim = {}, ball = {} },
+  body = { type = "kinematic", mass = 0.62, restitution = 0.2, continuous = true, group = "ball",
+    colliders = { shape = "sphere", radius = 0.12 } } }
+local skin = scene.add { name = "picture", tags = "replayed", parent = ball, color = "#f07f2e", mesh = { shape = "sphere", radius = 0.12 } }
 for _, turn in ipairs { vec3(0, 0, 0), vec3(90, 0, 0), vec3(0, 0, 90) } do   -- seams, to see it spin
-  scene.add { parent = ball, rotation_degrees = turn, color = "#402010", mesh = { shape = "torus", radius = 0.119, thickness = 0.005 } }
+  scene.add { parent = skin, rotation_degrees = turn, color = "#3a1d14",
+    mesh = { shape = "torus", radius = 0.1185, thickness = 0.006 } }
 end
-
-scene.add { name = "floor", position = vec3(0, -0.1, -2), color = "burlywood",
-  mesh = { shape = "box", size = vec3(24, 0.2, 13) }, body = { type = "static", restitution = 0.8 } }
-
-local function paint(name, position, size, color)
-  scene.add { name = name, position = position, color = color, mesh = { shape = "box", size = size } }
-end
-paint("key", vec3(0, 0.002, -2.7), vec3(3.6, 0.01, 5.4), "firebrick")
-paint("left line", vec3(-1.8, 0.004, -2.7), vec3(0.06, 0.01, 5.4), "white")
-paint("right line", vec3(1.8, 0.004, -2.7), vec3(0.06, 0.01, 5.4), "white")
-paint("base line", vec3(0, 0.004, -5.4), vec3(24, 0.01, 0.06), "white")
-
-scene.add { name = "wall", position = vec3(0, 0.6, -8.4), color = "slategray",
-  mesh = { shape = "box", size = vec3(24, 1.2, 0.2) }, body = { type = "static", restitution = 0.5 } }
+scene.add { name = "arc", behaviours = { arc = {} } }
 
 -- ---- the hoop: board, ring, net
-scene.add { name = "post", position = vec3(0, 1.7, -5.6), color = "dimgray",
-  mesh = { shape = "cylinder", radius = 0.1, height = 3.4 }, body = "static" }
-scene.add { name = "arm", position = vec3(0, 3.3, -5.1), color = "dimgray",
-  mesh = { shape = "box", size = vec3(0.12, 0.12, 1) }, body = "static" }
-local board = scene.add { name = "board", position = vec3(0, 3.45, -4.6), color = "white",
+scene.add { name = "post", position = vec3(0, 1.7, -6), color = steel,
+  mesh = { shape = "cylinder", radius = 0.11, height = 3.4 }, body = "static" }
+scene.add { name = "arm", position = vec3(0, 3.35, -5.3), color = steel,
+  mesh = { shape = "box", size = vec3(0.14, 0.14, 1.4) }, body = "static" }
+local board = scene.add { name = "board", position = vec3(0, 3.45, -4.6), color = "#f7f3ea",
   mesh = { shape = "box", size = vec3(1.8, 1.05, 0.05) }, body = { type = "static", restitution = 0.6 } }
-for _, bar in ipairs { vec3(-0.3, 0, 0), vec3(0.3, 0, 0), vec3(0, -0.22, 0), vec3(0, 0.22, 0) } do
-  local upright = bar.x ~= 0
-  scene.add { parent = board, position = bar + vec3(0, -0.12, 0.026), color = "crimson",
-    mesh = { shape = "box", size = upright and vec3(0.04, 0.48, 0.01) or vec3(0.6, 0.04, 0.01) } }
+local function frame(width, height, y, thickness, color)
+  for _, side in ipairs { -1, 1 } do
+    scene.add { parent = board, position = vec3(side * width / 2, y, 0.026), color = color,
+      mesh = { shape = "box", size = vec3(thickness, height + thickness, 0.012) } }
+    scene.add { parent = board, position = vec3(0, y + side * height / 2, 0.026), color = color,
+      mesh = { shape = "box", size = vec3(width - thickness, thickness, 0.012) } }
+  end
 end
-scene.add { name = "bracket", position = hoop + vec3(0, -0.01, -0.3), color = "orangered",
-  mesh = { shape = "box", size = vec3(0.12, 0.04, 0.14) }, body = { type = "static", restitution = 0.4 } }
-scene.add { name = "rim", position = hoop, color = "orangered",
+frame(0.6, 0.44, -0.12, 0.045, "#e2483d")
+frame(1.76, 1.01, 0, 0.05, "#2b3a67")
+scene.add { name = "bracket", position = hoop + vec3(0, -0.01, -0.31), color = "#ff5a2a",
+  mesh = { shape = "box", size = vec3(0.14, 0.05, 0.14) }, body = { type = "static", restitution = 0.4 } }
+scene.add { name = "rim", position = hoop, color = "#ff5a2a",
   mesh = { shape = "torus", radius = 0.23, thickness = 0.03 }, body = { type = "static", restitution = 0.4 } }
+scene.add { name = "net", position = hoop, behaviours = { net = {} } }
 
 -- What counts: a narrow trigger on the ring's axis, which only a ball inside the ring can touch.
 scene.add { name = "hoop", position = hoop, behaviours = { hoop = {} },
   body = { type = "static", trigger = true, colliders = { shape = "cylinder", radius = 0.06, height = 0.3 } } }
 
--- The net is only to be looked at: strands that lean inwards.
-local net = scene.add { name = "net", position = hoop }
-for i = 1, 16 do
-  local around = quat.axis_angle(vec3.up, i * math.pi / 8)
-  for _, lean in ipairs { -35, 35 } do
-    scene.add { parent = net, position = around * vec3(0.185, -0.19, 0), color = "whitesmoke",
-      rotation = around * quat.euler_degrees(lean, 0, -14),
-      mesh = { shape = "cylinder", radius = 0.006, height = 0.44 } }
-  end
-end
-
 -- ---- three plates to hit: each hangs from its frame on a hinge with a spring; the golden one tears off
-local spots = {
-  { position = vec3(-2.6, 2.6, -4.2), color = "deepskyblue", points = 1 },
-  { position = vec3(2.6, 2.6, -4.2), color = "deepskyblue", points = 1 },
-  { position = vec3(-5, 3.2, -5.4), color = "gold", points = 2, break_force = 40 },
+local targets = {
+  { position = vec3(-2.6, 2.6, -4.4), color = "#38c6d9", points = 1 },
+  { position = vec3(2.6, 2.6, -4.4), color = "#38c6d9", points = 1 },
+  { position = vec3(-4.9, 3.2, -5.4), color = "gold", points = 2, break_force = 40 },
 }
-for i, spot in ipairs(spots) do
-  local top = spot.position
-  local frame = scene.add { name = "frame " .. i, position = top, color = "dimgray",
+for i, target in ipairs(targets) do
+  local top = target.position
+  local stand = scene.add { name = "stand " .. i, position = top, color = steel,
     mesh = { shape = "box", size = vec3(1.1, 0.06, 0.06) }, body = "static" }
   for _, side in ipairs { -0.55, 0.55 } do
-    scene.add { parent = frame, position = vec3(side, -top.y / 2, 0), color = "dimgray",
-      mesh = { shape = "cylinder", radius = 0.04, height = top.y }, body = "static" }
+    scene.add { parent = stand, position = vec3(side, -top.y / 2, 0), color = steel,
+      mesh = { shape = "cylinder", radius = 0.035, height = top.y }, body = "static" }
   end
-  local plate = scene.add { name = "plate " .. i, position = top - vec3(0, 0.5, 0), color = spot.color,
-    mesh = { shape = "box", size = vec3(0.8, 0.8, 0.06) }, behaviours = { target = { points = spot.points } },
-    body = { mass = 1.5, restitution = 0.3 } }
-  joint.hinge { name = "hinge", a = plate, b = frame, anchor = vec3(0, 0.5, 0), axis = vec3.right,
+  local plate = scene.add { name = "plate " .. i, position = top - vec3(0, 0.5, 0),
+    behaviours = { target = { points = target.points } },
+    body = { mass = 1.5, restitution = 0.3, colliders = { shape = "box", size = vec3(0.8, 0.8, 0.06) } } }
+  scene.add { name = "picture", tags = "replayed", parent = plate, color = target.color, mesh = { shape = "box", size = vec3(0.8, 0.8, 0.06) } }
+  joint.hinge { name = "hinge", a = plate, b = stand, anchor = vec3(0, 0.5, 0), axis = vec3.right,
     min_degrees = -85, max_degrees = 85, spring = { frequency = 1.5, damping = 0.15 },
-    break_force = spot.break_force or math.huge }
+    break_force = target.break_force or math.huge }
 end
+
+-- ---- who looks after it all
+scene.add { name = "replay", behaviours = { replay = {} } }
+scene.add { name = "match", behaviours = { match = {} } }
+scene.add { name = "camera", position = vec3(0, 2.6, 3.8), camera = { field_of_view_degrees = 48 }, behaviours = { cameraman = {} } }

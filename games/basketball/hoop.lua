@@ -1,5 +1,8 @@
 -- A basket: the ball comes into the ring from above and leaves it below. A throw from below is spoilt.
-local Hoop = behaviour { points = 2 }
+local Hoop = behaviour {
+  clean_points = 1,                   -- more, if it touched nothing before
+  net_holds = 0.6,                    -- how much of its speed the net leaves to the ball
+}
 
 function Hoop:start() self.came_from_above = false end
 
@@ -15,8 +18,9 @@ end
 function Hoop:on_trigger_exit(hit)
   local ball = hit.node.behaviours.ball
   if not ball or not self.came_from_above or is_above(hit.node, self.node) then return end
-  ball:score(self.points, "Basket!")
-  tween(scene.get("net"), 0.12, { scale = vec3(1, 1.3, 1) }, { ease = "out", back = true })
+  hit.body.velocity = hit.body.velocity * self.net_holds
+  local points = scene.get("match").behaviours.match:spot().points
+  if ball.clean then ball:score(points + self.clean_points, "Swish!") else ball:score(points, "Basket!") end
 end
 
 return Hoop

@@ -5,11 +5,11 @@ function Target:on_collision_enter(hit)
   local ball = hit.node.behaviours.ball
   if not ball then return end
   ball:score(self.points, "Hit!")
-  tween(self.node, 0.15, { color = "white" }, { back = true })
+  tween(self.node:get("picture"), 0.15, { color = "white" }, { back = true })
 end
 
 function Target:on_joint_break()      -- once: a broken joint stays broken until the next round
-  scene.send("points", self.break_points, "Snap!")
+  scene.send("points", self.break_points, "Snap!", self.node.position)
 end
 
 return Target

@@ -1,6 +1,6 @@
 -- The plates on their hinges.
 local function play()
-  tap("start")
+  tap("throw")
   wait(0.1)
   return scene.get("ball"), scene.get("ball").behaviours.ball
 end

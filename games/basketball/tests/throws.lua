@@ -4,9 +4,9 @@ local to_the_ring = 0.56 * 300
 local ring = vec3(0, 3.05, -4.2)
 
 local function play()
-  tap("start")
+  tap("throw")
   wait(0.1)
-  return scene.get("ball"), scene.get("ball").behaviours.ball
+  return scene.get("ball"), scene.get("ball").behaviours.ball, scene.get("ball").behaviours.aim
 end
 
 local function pull(right, back)
@@ -23,12 +23,12 @@ local function throw_from(position, velocity)
   return node, ball
 end
 
-test("a straight throw scores once", function()
+test("a straight throw scores once, and one more since it touches nothing", function()
   play()
   pull(0, to_the_ring)
   release("pointer")
   wait(5)
-  expect(game.report.score):equals(2)
+  expect(game.report.score):equals(2 + 1)
   expect(game.report.throws):equals(1)
   expect(game.report.streak):equals(1)
 end)
@@ -43,18 +43,18 @@ test("another pull gives another score", function()
 end)
 
 test("the pull sets speed and direction in proportion, up to a limit", function()
-  local _, ball = play()
-  expect(ball:velocity_of(0, 0):length()):near(5, 1e-9)
-  expect(ball:velocity_of(0, 150):length()):near(7.5, 1e-9)
-  expect(ball:velocity_of(0, 300):length()):near(10, 1e-9)
-  expect(ball:velocity_of(0, 900):length()):near(10, 1e-9)
+  local _, _, aim = play()
+  expect(aim:velocity_of(0, 0):length()):near(5, 1e-9)
+  expect(aim:velocity_of(0, 150):length()):near(7.5, 1e-9)
+  expect(aim:velocity_of(0, 300):length()):near(10, 1e-9)
+  expect(aim:velocity_of(0, 900):length()):near(10, 1e-9)
   local ahead = vec3(0, 0, -1)
-  local function turned(right) return math.deg(ball:velocity_of(right, 100):with_y(0):angle(ahead)) end
+  local function turned(right) return math.deg(aim:velocity_of(right, 100):with_y(0):angle(ahead)) end
   expect(turned(0)):near(0, 1e-6)
   expect(turned(100)):near(15, 1e-6)
   expect(turned(300)):near(45, 1e-6)
   expect(turned(700)):near(45, 1e-6)
-  expect(ball:velocity_of(100, 100).x):below(0)          -- a slingshot: pulled right, it flies left
+  expect(aim:velocity_of(100, 100).x):below(0)          -- a slingshot: pulled right, it flies left
 end)
 
 test("a pull that is let go where it began throws nothing", function()
@@ -67,10 +67,10 @@ test("a pull that is let go where it began throws nothing", function()
 end)
 
 test("the preview is the flight", function()
-  local node, ball = play()
+  local node, _, aim = play()
   pull(-60, to_the_ring)
   wait(0.05)
-  local preview = ball:arc(ball:velocity_of(-60, to_the_ring))
+  local preview = aim:points_of(aim:velocity_of(-60, to_the_ring))
   release("pointer")
   for i, point in ipairs(preview) do
     wait(0.05)
@@ -106,10 +106,46 @@ end)
 test("a throw counts once, however often the ball goes through", function()
   local node = throw_from(ring + vec3(0, 0.6, 0), vec3.zero)
   wait(0.6)
-  expect(game.report.score):equals(2)
+  expect(game.report.score):equals(3)
   node:teleport(ring + vec3(0, 0.6, 0))
   wait(0.6)
+  expect(game.report.score):equals(3)
+end)
+
+test("off the board it counts without the point for a clean throw", function()
+  throw_from(vec3(0, 3.5, -3.9), vec3(0, 1.5, -1.6))
+  wait(2)
   expect(game.report.score):equals(2)
+end)
+
+test("arrows lead the aim and space throws, from the spot towards the hoop", function()
+  local _, ball, aim = play()
+  press("left")
+  wait(0.5)
+  release("left")
+  wait(0.1)
+  local velocity = aim:velocity_of(aim.right, aim.back)
+  expect(velocity.x):below(-0.3)
+  expect(ball.state):equals("held")
+  tap("space")
+  wait(0.1)
+  expect(ball.state):equals("flying")
+  expect(scene.get("ball").body.velocity.x):near(velocity.x, 1e-4)
+end)
+
+test("a stick leads the aim, half as fast when it is pushed half way, and pad_a throws", function()
+  local _, ball, aim = play()
+  tap("up")                           -- shows the aim
+  wait(0.1)
+  local before = aim.back
+  set_axis("pad_left_y-", "pad_left_y+", 0.5)
+  wait(0.5)
+  set_axis("pad_left_y-", "pad_left_y+", 0)
+  wait(0.1)
+  expect(aim.back - before):near(aim.keys_speed * 0.5 * 0.5, aim.keys_speed / 60)
+  tap("pad_a")
+  wait(0.1)
+  expect(ball.state):equals("flying")
 end)
 
 test("the ball moves no farther in a tick than its speed allows, but back to its place", function()
@@ -127,6 +163,7 @@ test("the ball moves no farther in a tick than its speed allows, but back to its
       if ball.state == "flying" then expect(moved):below(faster / 60 + 0.005) end
       last, speed = node.position, node.body.velocity:length()
     end
+    wait_until(function() return ball.state == "held" and not scene.get("replay").behaviours.replay.is_playing end)
     wait(0.05)
     expect(node.position):near(ball.home, 1e-9)
   end
