@@ -22,6 +22,5 @@ vec3 shoulder(vec3 light) {
 }
 
 vec3 shown(vec3 light) {
-  vec3 c = shoulder(max(light, 0.0));
-  return mix(c * 12.92, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
+  return to_srgb(shoulder(max(light, 0.0)));
 }

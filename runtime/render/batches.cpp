@@ -9,8 +9,6 @@
 namespace tumble {
 namespace {
 
-constexpr Color kMissing{1, 0.2, 0.7, 1};
-
 float linear(double value) {
   return static_cast<float>(value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4));
 }

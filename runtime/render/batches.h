@@ -8,6 +8,9 @@
 
 namespace tumble {
 
+// What is missing or broken is drawn in this colour.
+inline constexpr Color kMissing{1, 0.2, 0.7, 1};
+
 // As the shaders read it. Colours are linear.
 struct Instance {
   std::array<float, 12> matrix;  // three rows of the model matrix

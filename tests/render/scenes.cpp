@@ -1,7 +1,11 @@
 #include "render/scenes.h"
 
+#include <unistd.h>
+
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
 #include "assets/image.h"
 #include "base/error.h"
@@ -79,6 +83,38 @@ Picture draw(const DrawList& list, int width, int height, bool es) {
   const auto renderer = make_gl_renderer(*window);
   renderer->draw(list, window->width(), window->height());
   return renderer->picture();
+}
+
+WindowDef hidden_window() {
+  WindowDef def;
+  def.width = 320;
+  def.height = 180;
+  def.offscreen = true;
+  return def;
+}
+
+Pixel pixel(const Picture& picture, int x, int y) {
+  const std::uint8_t* p = &picture.pixels[3 * (static_cast<std::size_t>(y) * picture.width + x)];
+  return {p[0], p[1], p[2]};
+}
+
+std::string picture_of(int width, int height, const std::vector<std::uint8_t>& pixels) {
+  const auto file = std::filesystem::temp_directory_path() / ("tumble_picture_" + std::to_string(getpid()) + ".png");
+  write_png({width, height, pixels}, file.string());
+  std::ifstream in(file, std::ios::binary);
+  const std::string bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  std::filesystem::remove(file);
+  return bytes;
+}
+
+Assets::Assets(std::map<std::string, std::string> content)
+    : files(std::make_shared<std::map<std::string, std::string>>(std::move(content))),
+      messages(std::make_shared<std::vector<std::string>>()) {
+  const auto read = [files = files](const std::string& path) -> std::optional<std::string> {
+    const auto found = files->find(path);
+    return found == files->end() ? std::nullopt : std::optional(found->second);
+  };
+  library = std::make_unique<AssetLibrary>(read, [messages = messages](const LogLine& line) { messages->push_back(line.text); });
 }
 
 Difference difference(const Picture& a, const Picture& b) {

@@ -1,9 +1,12 @@
 // Small scenes for pictures, put together with verbs, and windows that nobody sees.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "assets/library.h"
 #include "platform/window.h"
 #include "render/renderer.h"
 
@@ -25,6 +28,26 @@ PictureScene still_life();
 
 // A picture off screen, of the whole way from opening a window to reading it back.
 Picture draw(const DrawList& list, int width = 640, int height = 360, bool es = false);
+
+// A window that nobody sees, 320 x 180.
+WindowDef hidden_window();
+
+struct Pixel {
+  int r, g, b;
+};
+// By column and row from the top left.
+Pixel pixel(const Picture& picture, int x, int y);
+
+// A PNG file's bytes, from RGB rows.
+std::string picture_of(int width, int height, const std::vector<std::uint8_t>& pixels);
+
+// Files that a picture may use, by name, and what was said about them.
+struct Assets {
+  explicit Assets(std::map<std::string, std::string> content);
+  std::shared_ptr<std::map<std::string, std::string>> files;
+  std::shared_ptr<std::vector<std::string>> messages;
+  std::unique_ptr<AssetLibrary> library;
+};
 
 struct Difference {
   double mean = 0;     // of the channels' absolute differences, 0..255

@@ -9,21 +9,9 @@ using namespace tumble::test;
 
 namespace {
 
-struct Pixel {
-  int r, g, b;
-};
+// By shares of the picture's width and height.
 Pixel pixel(const Picture& picture, double x, double y) {
-  const int column = static_cast<int>(x * picture.width), row = static_cast<int>(y * picture.height);
-  const std::uint8_t* p = &picture.pixels[3 * (static_cast<std::size_t>(row) * picture.width + column)];
-  return {p[0], p[1], p[2]};
-}
-
-WindowDef hidden() {
-  WindowDef def;
-  def.width = 320;
-  def.height = 180;
-  def.offscreen = true;
-  return def;
+  return test::pixel(picture, static_cast<int>(x * picture.width), static_cast<int>(y * picture.height));
 }
 
 }  // namespace
@@ -93,7 +81,7 @@ TEST_CASE("renderer: an unequal scale keeps lit faces lit", "[render]") {
 }
 
 TEST_CASE("renderer: draws in any size, one after the other", "[render]") {
-  const auto window = Window::open(hidden());
+  const auto window = Window::open(hidden_window());
   const auto renderer = make_gl_renderer(*window);
   const PictureScene scene = still_life();
   CHECK(renderer->picture().pixels.empty());
@@ -110,7 +98,7 @@ TEST_CASE("renderer: draws in any size, one after the other", "[render]") {
 }
 
 TEST_CASE("renderer: a resized window gives its new size", "[render]") {
-  const auto window = Window::open(hidden());
+  const auto window = Window::open(hidden_window());
 
   window->set_size(400, 300);
   window->poll();
@@ -120,7 +108,7 @@ TEST_CASE("renderer: a resized window gives its new size", "[render]") {
 }
 
 TEST_CASE("renderer: two windows do not draw into each other", "[render]") {
-  const auto first = Window::open(hidden()), second = Window::open(hidden());
+  const auto first = Window::open(hidden_window()), second = Window::open(hidden_window());
   const auto a = make_gl_renderer(*first), b = make_gl_renderer(*second);
   const PictureScene life = still_life(), empty;
 
@@ -136,7 +124,7 @@ TEST_CASE("renderer: a text that outgrows the letter texture is still drawn", "[
   for (int size = 20; size < 190; ++size)
     crowded.add_text("abcdefghijklmnopqrstuvwxyz", 0, 0, static_cast<float>(size));
   last.add_text("Hallo", 100, 100, 60);
-  const auto window = Window::open(hidden());
+  const auto window = Window::open(hidden_window());
   const auto renderer = make_gl_renderer(*window);
 
   renderer->draw(crowded.list, 1280, 720);

@@ -39,6 +39,7 @@ class Window;
   X(PFNGLDRAWELEMENTSINSTANCEDPROC, DrawElementsInstanced)                                                             \
   X(PFNGLENABLEPROC, Enable)                                                                                           \
   X(PFNGLENABLEVERTEXATTRIBARRAYPROC, EnableVertexAttribArray)                                                         \
+  X(PFNGLFINISHPROC, Finish)                                                                                           \
   X(PFNGLFRAMEBUFFERRENDERBUFFERPROC, FramebufferRenderbuffer)                                                         \
   X(PFNGLFRAMEBUFFERTEXTURE2DPROC, FramebufferTexture2D)                                                               \
   X(PFNGLGENBUFFERSPROC, GenBuffers)                                                                                   \
@@ -46,6 +47,7 @@ class Window;
   X(PFNGLGENRENDERBUFFERSPROC, GenRenderbuffers)                                                                       \
   X(PFNGLGENTEXTURESPROC, GenTextures)                                                                                 \
   X(PFNGLGENVERTEXARRAYSPROC, GenVertexArrays)                                                                         \
+  X(PFNGLGENERATEMIPMAPPROC, GenerateMipmap)                                                                           \
   X(PFNGLGETINTEGERVPROC, GetIntegerv)                                                                                 \
   X(PFNGLGETPROGRAMINFOLOGPROC, GetProgramInfoLog)                                                                     \
   X(PFNGLGETPROGRAMIVPROC, GetProgramiv)                                                                               \
@@ -67,6 +69,7 @@ class Window;
   X(PFNGLUNIFORM1IPROC, Uniform1i)                                                                                     \
   X(PFNGLUNIFORM2FPROC, Uniform2f)                                                                                     \
   X(PFNGLUNIFORM3FPROC, Uniform3f)                                                                                     \
+  X(PFNGLUNIFORM4FVPROC, Uniform4fv)                                                                                   \
   X(PFNGLUNIFORMMATRIX4FVPROC, UniformMatrix4fv)                                                                       \
   X(PFNGLUSEPROGRAMPROC, UseProgram)                                                                                   \
   X(PFNGLVERTEXATTRIBDIVISORPROC, VertexAttribDivisor)                                                                 \

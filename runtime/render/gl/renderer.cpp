@@ -5,6 +5,7 @@
 #include "render/gl/meshes.h"
 #include "render/gl/program.h"
 #include "render/gl/target.h"
+#include "render/gl/textures.h"
 #include "render/gl/ui_pass.h"
 #include "render/view.h"
 
@@ -44,9 +45,9 @@ class GlRenderer final : public Renderer {
   explicit GlRenderer(Window& window)
       : window_(window), gl_(load(window)), quality_(quality_for(gl_)), target_(gl_, quality_.edge_samples),
         shadow_map_(gl_, quality_.shadow_map_size),
-        mesh_program_(gl_, {"mesh.vert.glsl"}, {"light.glsl", "mesh.frag.glsl"}),
+        mesh_program_(gl_, {"mesh.vert.glsl"}, {"srgb.glsl", "light.glsl", "mesh.frag.glsl"}),
         shadow_program_(gl_, {"mesh.vert.glsl"}, {"shadow.frag.glsl"}),
-        sky_program_(gl_, {"sky.vert.glsl"}, {"light.glsl", "sky.frag.glsl"}), meshes_(gl_), lines_(gl_), ui_(gl_),
+        sky_program_(gl_, {"sky.vert.glsl"}, {"srgb.glsl", "light.glsl", "sky.frag.glsl"}), meshes_(gl_), textures_(gl_), lines_(gl_), ui_(gl_),
         empty_(gl_) {}
   // Members give their GL objects back after this.
   ~GlRenderer() override { window_.make_current(); }
@@ -58,6 +59,7 @@ class GlRenderer final : public Renderer {
     const WideMatrix camera = camera_matrix(list, aspect);
     const Batches batches = make_batches(list);
     meshes_.upload(batches);
+    textures_.begin_picture(list.assets);
     gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 
     const ShadowFit shadow = draw_shadow_map(list, aspect, batches);
@@ -66,7 +68,7 @@ class GlRenderer final : public Renderer {
     draw_sky(list, aspect);
     draw_transparent(list, camera, shadow, batches.transparent);
     lines_.draw(list.lines, camera, width, height);
-    ui_.draw(list.ui, width, height);
+    ui_.draw(list.ui, textures_, width, height);
     target_.show();
   }
 
@@ -160,6 +162,7 @@ class GlRenderer final : public Renderer {
   ShadowMap shadow_map_;
   Program mesh_program_, shadow_program_, sky_program_;
   GpuMeshes meshes_;
+  Textures textures_;
   LinePass lines_;
   UiPass ui_;
   EmptyArray empty_;
