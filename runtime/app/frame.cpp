@@ -31,6 +31,7 @@ void Game::tick(std::vector<InputEvent> events) {
   script.draw_ui();
   script.read_report();
   script.collect_garbage();
+  keep_storage();
   ++ticks_;
 }
 

@@ -1,18 +1,14 @@
 #include "app/game.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 
 #include "app/error_screen.h"
 #include "assets/game_path.h"
+#include "platform/files.h"
 
 namespace tumble {
 
 namespace {
-
-// The width of the screen against its height reaches games through the pointer and the ui, so it is recorded input.
-const std::string kScreenShape = "screen_shape";
 
 ScriptError public_error(const ScriptFailure& failure) {
   return {failure.text, failure.traceback, failure.file, failure.line, failure.source};
@@ -51,27 +47,42 @@ Game::Game(const std::string& path, const GameHost& host) : host_(host) {
   if (host.options.watch && package_->folder()) watch_ = std::make_unique<Watch>(*package_->folder());
 }
 
-Game::~Game() = default;
+Game::~Game() {
+  if (storage_file_) storage_file_->keep(script_->storage, true);
+}
 
 std::optional<std::string> Game::read(const std::string& path) const {
   return host_.read_file ? host_.read_file(path) : package_->read(path);
 }
 
-// Whole or not at all: beside the file first, then over it.
 void Game::write(const std::string& path, const std::string& text) const {
   require_game_path(path);
-  const std::filesystem::path file = *package_->folder() / path, fresh = file.string() + ".tmp";
-  std::error_code error;
-  std::filesystem::create_directories(file.parent_path(), error);
-  std::ofstream(fresh, std::ios::binary) << text;
-  std::filesystem::rename(fresh, file, error);
-  if (error) fail("'", path, "' cannot be written: ", error.message());
+  try {
+    write_whole_file(*package_->folder() / path, text);
+  } catch (const Error& error) {
+    fail("'", path, "' cannot be written: ", error.what());
+  }
 }
 
 void Game::note(LogLevel level, const std::string& text) {
   recent_log_.emplace_back(ticks_, LogLine{level, text});
   if (recent_log_.size() > 12) recent_log_.erase(recent_log_.begin());
   if (host_.on_log) host_.on_log(level, text);
+}
+
+// ---- storage
+
+void Game::open_storage(const Stored& kept) {
+  const Options& o = host_.options;
+  if (replay_) return script_->begin_storage(replay_->stored);
+  if (o.storage.empty() || o.bot) return script_->begin_storage(kept);
+  const std::string name = storage_name(package_->name(), settings().title, settings().author);
+  storage_file_.emplace(std::filesystem::path(o.storage) / name, [this](const LogLine& line) { note(line.level, line.text); });
+  script_->begin_storage(storage_file_->read());
+}
+
+void Game::keep_storage() {
+  if (storage_file_) storage_file_->keep(script_->storage, false);
 }
 
 void Game::start() { script_->load(); }
@@ -97,6 +108,7 @@ Recording Game::recording() const {
   Recording recording;
   recording.game = settings().title;
   recording.seed = script_->seed();
+  recording.stored = script_->storage.first();
   recording.tick_rate = settings().tick_rate;
   recording.events = recorded_;
   recording.ticks = static_cast<std::uint64_t>(ticks_);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/storage_file.h"
 #include "assets/library.h"
 #include "assets/package.h"
 #include "assets/watch.h"
@@ -30,6 +31,8 @@ class Game {
   Game(const std::string& path, const GameHost& host);
   ~Game();
 
+  // What was stored before: on disk, with the recording, or by the same game before its restart.
+  void open_storage(const Stored& kept);
   // Runs the scripts for the first time.
   void start();
   // One fixed tick with this input, in the order of api.md section 20.
@@ -61,6 +64,7 @@ class Game {
   void write(const std::string& path, const std::string& text) const;
   void note(LogLevel level, const std::string& text);
   std::vector<InputEvent> replayed_events();
+  void keep_storage();
   void take_screen_shape(std::vector<InputEvent>& events);
   void add_script_drawing(DrawList& list);
   void add_debug_lines(DrawList& list);
@@ -75,6 +79,7 @@ class Game {
   std::int64_t ticks_ = 0;
   std::vector<std::pair<std::uint64_t, InputEvent>> recorded_;
   std::optional<Recording> replay_;
+  std::optional<StorageFile> storage_file_;
   std::size_t replay_at_ = 0;
   std::set<std::string> hints_;
   std::vector<std::pair<std::int64_t, LogLine>> recent_log_;   // tick and line, for the overlay

@@ -36,9 +36,10 @@ void Runtime::Impl::open_window() {
   renderer = make_gl_renderer(*window);
 }
 
-void Runtime::Impl::open_game() {
+void Runtime::Impl::open_game(const Stored& kept) {
   game = std::make_unique<Game>(path, host);
   if (next_recording) game->replay(*next_recording);
+  game->open_storage(kept);
   open_window();
   if (window) window->set_title(game->settings().title);
   pending.clear();
@@ -57,8 +58,9 @@ void Runtime::Impl::tick_once() {
 
 // A game.json that became faulty meanwhile must not end the game that runs.
 void Runtime::Impl::restart() {
+  const Stored kept = game->script().storage.now();
   try {
-    open_game();
+    open_game(kept);
     if (host.on_log) host.on_log(LogLevel::note, "restarted");
   } catch (const Error& error) {
     game->script().requests.restart = false;
@@ -108,8 +110,8 @@ void Runtime::load(const std::string& path) {
   impl_->open_game();
 }
 void Runtime::restart() {
-  impl_->need_game("restart");
-  impl_->open_game();
+  const Stored kept = impl_->need_game("restart").script().storage.now();
+  impl_->open_game(kept);
 }
 
 // ---- input

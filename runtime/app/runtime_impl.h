@@ -34,7 +34,7 @@ struct __attribute__((visibility("hidden"))) Runtime::Impl {
   }
   double aspect() const { return window ? static_cast<double>(window->width()) / window->height() : 16.0 / 9.0; }
   void open_window();
-  void open_game();
+  void open_game(const Stored& kept = {});   // kept: what it stored before a restart
   void restart();
   void tick_once();
   void draw(double alpha, double dt);

@@ -4,6 +4,7 @@
 
 #include "app/runtime_impl.h"
 #include "assets/pack.h"
+#include "platform/files.h"
 #include "script/document.h"
 
 namespace tumble {
@@ -103,6 +104,11 @@ bool has_packed_game(const std::string& program) {
   } catch (const Error&) {
     return false;
   }
+}
+
+std::string storage_folder() {
+  const std::filesystem::path folder = data_folder();
+  return folder.empty() ? "" : (folder / "tumble").string();
 }
 
 bool display_available() { return Window::display_available(); }

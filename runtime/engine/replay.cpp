@@ -88,7 +88,8 @@ std::pair<std::uint64_t, InputEvent> read_event(Parts parts) {
   event.kind = read_kind(parts.word("kind"), parts.where());
   const bool has_key = event.kind == InputKind::press || event.kind == InputKind::release || event.kind == InputKind::value;
   if (has_key || event.kind == InputKind::text) event.name = parts.word("name");
-  if (has_key && !is_raw_input_name(event.name))
+  const bool is_shape = event.kind == InputKind::value && event.name == kScreenShape;
+  if (has_key && !is_shape && !is_raw_input_name(event.name))
     fail(parts.where(), ": no key or button '", event.name, "'", did_you_mean(event.name, raw_input_names()));
   if (event.kind == InputKind::value || event.kind == InputKind::wheel) event.value = parts.number("value");
   if (event.kind == InputKind::pointer_move) {
@@ -129,6 +130,7 @@ void read_head(const Value& root, const std::string& file, Recording& recording)
   const Value& rate = require(root, "tick_rate", file);
   if (!rate.is_number() || rate.number() <= 0) fail(file, ": tick_rate: number above 0 expected, got ", text(rate));
   recording.tick_rate = rate.number();
+  if (const Value* stored = root.find("stored")) recording.stored = unpack_stored(*stored, file + ": stored");
   recording.ticks = Parts(List{require(root, "ticks", file)}, file + ": ticks").tick();
 }
 
@@ -143,6 +145,7 @@ std::string write_recording(const Recording& recording) {
                         {"tick_rate", recording.tick_rate},
                         {"ticks", static_cast<std::int64_t>(recording.ticks)},
                         {"hash", hex(recording.hash)},
+                        {"stored", pack_stored(recording.stored)},
                         {"events", std::move(events)}});
 }
 

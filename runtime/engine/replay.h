@@ -6,9 +6,14 @@
 #include <utility>
 #include <vector>
 
+#include "engine/storage.h"
 #include "platform/input.h"
 
 namespace tumble {
+
+// The width of the screen against its height reaches games through the pointer and the ui, so it is recorded too: as the
+// `value` of this name, which no key has.
+inline const std::string kScreenShape = "screen_shape";
 
 struct Recording {
   std::string game;                                          // title, to notice a recording of another game
@@ -17,6 +22,7 @@ struct Recording {
   std::vector<std::pair<std::uint64_t, InputEvent>> events;  // tick that they were sampled in, counted from 0, ascending
   std::uint64_t ticks = 0;                                   // length of the run; no event is later
   std::uint64_t hash = 0;                                    // of the world after the last tick
+  Stored stored;                                             // what was stored when it began
   bool operator==(const Recording&) const = default;
 };
 

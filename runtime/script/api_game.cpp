@@ -83,12 +83,20 @@ double value(Script& s, std::string name) { return s.live_engine().input.value(k
 double axis(Script& s, std::string low, std::string high) {
   return s.live_engine().input.value(known(s, high, "input.axis")) - s.live_engine().input.value(known(s, low, "input.axis"));
 }
-void bind(Script& s, std::string action, Value names) {
+struct BindOptions { bool save = false; };
+void describe(BindOptions& options, Schema& s) {
+  s.name("bind options", "How input.bind binds.");
+  s.add("save", options.save, "Also in later runs of the game?");
+}
+void bind(Script& s, std::string action, Value names, std::optional<Value> given) {
   std::vector<std::string> list;
   assign(type_of<std::vector<std::string>>(), &list, names, "input.bind");
   for (const std::string& name : list)
     if (!is_raw_input_name(name)) fail("input.bind: no key or button '", name, "'", did_you_mean(name, raw_input_names()));
+  BindOptions options;
+  if (given) assign(options, *given, "input.bind");
   s.live_engine().input.bind(action, list);
+  if (options.save) s.storage.save_binding(action, list);
 }
 std::vector<std::string> bindings(Script& s, std::string action) {
   const auto& actions = s.live_engine().input.actions();
@@ -97,6 +105,18 @@ std::vector<std::string> bindings(Script& s, std::string action) {
   for (const auto& entry : actions) all.push_back(entry.first);
   if (found == actions.end()) fail("input.bindings: no action '", action, "' in game.json", did_you_mean(action, all));
   return found->second;
+}
+// For one action, or for all.
+void reset_bindings(Script& s, std::optional<std::string> action) {
+  const auto& first = s.live_engine().settings.actions;
+  std::vector<std::string> all;
+  for (const auto& entry : first) all.push_back(entry.first);
+  if (action && !first.contains(*action)) fail("input.reset_bindings: no action '", *action, "' in game.json", did_you_mean(*action, all));
+  for (const auto& [name, keys] : first) {
+    if (action && *action != name) continue;
+    s.live_engine().input.bind(name, keys);
+    s.storage.forget_binding(name);
+  }
 }
 double wheel(Script& s) { return s.live_engine().input.wheel; }
 Value pointer(Script& s) {
@@ -167,7 +187,9 @@ void rows_input(Area& a) {
   a.fn<was_released>("was_released", "Was it let go in this tick?", "name").queries();
   a.fn<value>("value", "How far it is pressed, 0 to 1.", "name").queries();
   a.fn<axis>("axis", "-1 to 1: how far the second is pressed minus the first.", "low", "high").queries();
-  a.fn<bind>("bind", "Gives an action other keys.", "action", "names").acts().takes(1, "list of string");
+  a.fn<bind>("bind", "Gives an action other keys, until the game ends; with { save = true } also in its later runs.", "action", "names", "options")
+      .acts().takes(1, "list of string").takes(2, "table");
+  a.fn<reset_bindings>("reset_bindings", "Gives an action the keys of game.json back and forgets what was saved; without an action all of them.", "action").acts();
   a.fn<bindings>("bindings", "The raw names that an action has.", "action");
   a.prop<pointer>("pointer", "Where the pointer is in ui units (720 high): x, y, and how it moved: dx, dy.").gives("table");
   a.prop<wheel>("wheel", "Steps of the wheel in this tick, away from you.");

@@ -46,6 +46,7 @@ const Entry kEntries[] = {
     {"random", false, rows_random, nullptr, "Random numbers, seeded by the game."},
     {"draw", false, rows_draw, nullptr, "Lines and marks in the world, for one tick (from frame: one frame)."},
     {"ui", false, rows_ui, nullptr, "Text and bars on the screen, called in draw_ui(). The screen is 720 units high."},
+    {"storage", false, rows_storage, nullptr, "What a game keeps from one run to the next, such as high scores and settings."},
     {"log", false, rows_log, nullptr, "Lines for the author."},
     {"game", false, rows_game, nullptr, "The game itself: its report, its end."},
     {"property", false, rows_property_module, nullptr, "Declared properties of a behaviour, where a plain default says too little."},

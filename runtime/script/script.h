@@ -15,6 +15,7 @@
 #include "base/log.h"
 #include "engine/engine.h"
 #include "engine/extract.h"
+#include "engine/storage.h"
 #include "script/memory.h"
 #include "script/param.h"
 
@@ -135,6 +136,7 @@ class Script {
   // Runs all files again after these changed. Returns the log line; "" where nothing of ours changed.
   std::string reload(const std::vector<std::string>& changed);
   bool loaded() const { return loaded_; }
+  void begin_storage(Stored stored);                   // before load(); takes over the bindings that were stored
 
   // ---- one tick, in this order (app/frame.cpp). Each runs protected: a failing script is stopped and reported.
   void run_bot(std::vector<InputEvent>& events);       // may add events
@@ -154,6 +156,7 @@ class Script {
   Drawing& frame_drawing() { return frame_drawing_; }
   GameRequests requests;
   Map report;                                          // game.report
+  Storage storage;
   bool finished = false;
   int errors = 0;
   double seconds_now = 0;                              // time.now

@@ -99,6 +99,15 @@ void Script::run_boot() {
   lua_gc(L, LUA_GCSTOP);
 }
 
+// A stored key that no longer fits is passed over: the game or its keys have changed since.
+void Script::begin_storage(Stored stored) {
+  for (const auto& [action, names] : stored.bindings) {
+    const bool known = live_.settings.actions.contains(action) && std::all_of(names.begin(), names.end(), is_raw_input_name);
+    if (known) live_.input.bind(action, names);
+  }
+  storage.begin(std::move(stored));
+}
+
 // One young collection; a full one where the scripts have come near their limit.
 void Script::collect_garbage() {
   if (memory_.used() > memory_.limit() / 2) lua_gc(L_, LUA_GCCOLLECT);

@@ -33,10 +33,15 @@ function input.value(name) end
 ---@return number
 function input.axis(low, high) end
 
---- Gives an action other keys.
+--- Gives an action other keys, until the game ends; with { save = true } also in its later runs.
 ---@param action string
 ---@param names string[]
-function input.bind(action, names) end
+---@param options? table
+function input.bind(action, names, options) end
+
+--- Gives an action the keys of game.json back and forgets what was saved; without an action all of them.
+---@param action? string
+function input.reset_bindings(action) end
 
 --- The raw names that an action has.
 ---@param action string

@@ -7,6 +7,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
 unset DISPLAY WAYLAND_DISPLAY
+export XDG_DATA_HOME=$work/data
 
 failures=0
 # claim NAME COMMAND...: the command is true. What it says is shown only where it is not.
@@ -58,6 +59,18 @@ never_over_a_source() {
   mkdir -p full && echo mine >"full/$game"
   refused 'is no package' "$program" pack "$game" --output full && [[ $(<"full/$game") == mine ]]
 }
+stored() {
+  echo 'function start() storage.save("runs", storage.load("runs", 0) + 1) game.report.runs = storage.load("runs") end' >counter.lua
+  echo 'return function() wait(1) end' >bot.lua
+  for _ in 1 2; do "$program" play counter.lua --headless --ticks 2 --report r.json --save-replay second; done
+  has r.json '"runs": 2' && [[ $(find data -type f) == data/tumble/counter-*/storage.json ]] &&
+    "$program" play counter.lua --headless --bot --ticks 2 --report b.json && has b.json '"runs": 1' &&
+    "$program" play counter.lua --headless --ticks 2 --report c.json && has c.json '"runs": 3' &&
+    "$program" play counter.lua --headless --replay second --report d.json && has d.json '"runs": 2'
+  local status=$?
+  rm bot.lua
+  return $status
+}
 script_error() {
   echo 'function update() error("late") end' >late.lua
   refused 'late.lua:1: late' "$program" play late.lua --headless --ticks 5
@@ -73,6 +86,7 @@ claim 'play: without a display the bot plays, and a sentence says where the pict
 claim 'play: --record writes a film' film
 claim 'play: --headless without an end is refused' refused 'add --ticks N' "$program" play "$game" --headless
 claim 'play: a missing game is told in a sentence' refused "game 'nothing'" "$program" play nothing
+claim 'play: what a game stores is there the next time, and bots and replays leave it alone' stored
 claim 'play: an error in a script gives status 1' script_error
 claim 'pack: what it writes runs alone, and its package plays' packed
 claim 'pack: a game that fails is not packed' not_packed

@@ -8,8 +8,11 @@ using namespace tumble;
 namespace {
 
 Recording sample() {
-  Recording recording{"Heights", 0xfedcba9876543210ULL, 60, {}, 100, 0x0123456789abcdefULL};
-  recording.events = {{0, {InputKind::press, "space"}},
+  Recording recording{"Heights", 0xfedcba9876543210ULL, 60, {}, 100, 0x0123456789abcdefULL, {}};
+  recording.stored.values = {{"best", 3}, {"at", Vec3{1, 2, 3}}};
+  recording.stored.bindings = {{"jump", {"k"}}};
+  recording.events = {{0, {InputKind::value, kScreenShape, 4.0 / 3}},
+                      {0, {InputKind::press, "space"}},
                       {0, {InputKind::value, "pad1_left_x+", 0.1}},
                       {7, {InputKind::pointer_move, "", 0, 640.5, 360, -1.25, 1e-3}},
                       {7, {InputKind::wheel, "", -2}},
@@ -51,6 +54,7 @@ TEST_CASE("replay: broken events are told with their place", "[engine]") {
         "run.json: events[1]: unknown 'pres'; expected one of press, release, value, pointer_move, wheel, text; did you mean 'press'?");
   CHECK(error(R"([1, "press"])") == "run.json: events[1]: name is missing");
   CHECK(error(R"([1, "press", "spcae"])") == "run.json: events[1]: no key or button 'spcae'; did you mean 'space'?");
+  CHECK(error(R"([1, "press", "screen_shape"])") == "run.json: events[1]: no key or button 'screen_shape'");
   CHECK(error(R"([1, "value", "pad_a", "x"])") == "run.json: events[1]: value: number expected, got a string");
   CHECK(error(R"([1, "press", "a", 5])") == "run.json: events[1] has 4 parts; 3 expected");
   CHECK(error(R"([5, "press", "a"], [4, "release", "a"])") == "run.json: events[2]: tick 4 comes after tick 5");

@@ -38,6 +38,7 @@ Options options_of(const Play& play) {
   Options options;
   options.bot = play.bot;
   options.seed = play.seed;
+  options.storage = storage_folder();
   options.gles = play.gles;
   options.fullscreen = play.fullscreen;
   if (!play.size.empty()) {

@@ -94,6 +94,9 @@ struct Options {
   bool gles = false;           // draw with OpenGL ES 3.0 rather than OpenGL 3.3
   std::size_t memory_limit = std::size_t{512} << 20;  // bytes that scripts may use
   double time_limit = 1;       // seconds of computing that one call into scripts may take
+  // The folder in which games keep what they store, each in a folder of its own; "" keeps nothing beyond this Runtime.
+  // With a bot or a recording nothing is read from it or written to it.
+  std::string storage;
 };
 
 class Runtime;
@@ -207,6 +210,8 @@ TUMBLE_API void pack(const std::string& folder, const std::string& output, const
 // Is a game packed behind that program?
 TUMBLE_API bool has_packed_game(const std::string& program);
 TUMBLE_API bool display_available();
+// Where the system wants programs to keep what they store for this person; "" where it names no place.
+TUMBLE_API std::string storage_folder();
 TUMBLE_API std::string version();
 
 // ---- details of add_function

@@ -1,0 +1,2 @@
+-- expect: storage.save: a function cannot be stored
+function start() storage.save("best", print) end

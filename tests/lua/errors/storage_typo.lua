@@ -1,0 +1,2 @@
+-- expect: storage has no 'laod'; did you mean 'load'?
+function start() storage.laod("best", 0) end
