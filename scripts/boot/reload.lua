@@ -201,7 +201,8 @@ return function(parts)
     local run = files.live
     files.current = run
     core.begin_staging()
-    local file, message
+    local before = #run.order
+    local file
     local ok = core.try(function() file = files.module(run, name) end)
     files.current = nil
     core.set_file("")
@@ -213,7 +214,7 @@ return function(parts)
     end
     adopt(core.commit(true))
     core.end_late(outer_phase)
-    collect(run, { file })
+    collect(run, table.move(run.order, before + 1, #run.order, 1, {}))     -- and what it requires, if nobody did before
     return file
   end
 

@@ -203,6 +203,21 @@ TEST_CASE("reload: a module's table keeps its identity and its live values", "[r
   CHECK(game.number("same") == 1);
 }
 
+TEST_CASE("reload: a module that only a behaviour of a later scene requires takes part", "[reload]") {
+  TestGame game(Files{{"main.lua", "function start() scene.load(\"level\") end\n"},
+                      {"level.json", R"({"tumble": 1, "children": [{"name": "a", "behaviours": {"slime": {}}}]})"},
+                      {"slime.lua", "local feet = require \"feet\"\nlocal Slime = behaviour {}\nfunction Slime:update() game.report.steps = feet.step() end\nreturn Slime\n"},
+                      {"feet.lua", "local feet = { count = 0 }\nfunction feet.step() feet.count = feet.count + 1 return feet.count end\nreturn feet\n"}});
+  game.tick(5);
+  const double before = game.number("steps");
+
+  game.save("feet.lua", "local feet = { count = 0 }\nfunction feet.step() feet.count = feet.count + 100 return feet.count end\nreturn feet\n");
+  game.tick(1);
+
+  CHECK(before > 0);
+  CHECK(game.number("steps") == before + 100);
+}
+
 TEST_CASE("reload: a setting goes back to its default when its line goes", "[reload]") {
   TestGame game(Files{{"main.lua", "physics.gravity = vec3(0, -1, 0)\n"}});
   CHECK(game.script->module_settings().physics.gravity.y == -1);
