@@ -8,9 +8,12 @@
 --   move(velocity)   where to walk in this tick, m/s; a tick without it stands still
 --   jump()           jumps now, or within buffer_seconds as soon as it lands
 --   cut_jump()       the button was let go: a jump still rising ends early
+--   launch(height)   thrown up so many metres, wherever it is; cut_jump() does not end it
 --   stop()           forgets all motion, for after a teleport
 -- Read: is_grounded, ground (the node it stands on, or nil), velocity (what it did in the last tick, m/s)
 -- Sends to its node: "land" (speed, m/s) and "jumped".
+--
+-- Ground that turns about y turns it too; walking leaves its direction alone, so turn what is seen of it yourself.
 --
 -- It moves in late_update: after every update has had its say and after physics, when platforms are where this tick
 -- leaves them. So the order of behaviours does not matter, and it never slips on what carries it.
@@ -44,15 +47,24 @@ end
 function Character:stop()
   self.is_grounded, self.ground, self.normal = false, nil, vec3.up
   self.foothold, self.stood_at = vec3.zero, vec3.zero   -- one point, as the ground and as the world see it
+  self.ground_rotation = quat.identity                  -- the ground's, when it was stood on last
   self.climb = 0                      -- m/s upwards, in the air
   self.drift = vec3.zero              -- m/s, of the platform that it stands on or left
   self.air_age = LONG_AGO             -- s since it last stood
+  self.is_launched = false            -- until it lands
   self.velocity = vec3.zero
 end
 
 function Character:move(velocity) self.wish = velocity:with_y(0) end
 function Character:jump() self.jump_age, self.cut = 0, false end
-function Character:cut_jump() self.cut = true end
+function Character:cut_jump() self.cut = not self.is_launched end
+
+function Character:launch(height)
+  self.is_grounded, self.ground = false, nil
+  self.climb = math.sqrt(2 * self.gravity * height)
+  self.air_age, self.cut = LONG_AGO, false
+  self.is_launched = true
+end
 
 function Character:late_update(dt)
   local before = self.node.world_position
@@ -73,11 +85,19 @@ function Character:ride(place, dt)
   if not self.is_grounded then return place end
   self.drift = vec3.zero
   if not self.ground.is_alive then return place end
+  self:turn_along(self.ground.world_rotation * self.ground_rotation:inverse())
   local carried = self.ground:to_world(self.foothold) - self.stood_at
   if carried == vec3.zero then return place end
   self.drift = carried / dt
   -- The ground has moved already, perhaps into the capsule: it must not stop its own passenger.
   return (self:sweep(place, carried, physics.filter { ignore = { self.node, self.ground } }))
+end
+
+-- Turns about y as far as the ground did.
+function Character:turn_along(turned)
+  local ahead = turned * vec3.forward
+  local angle = math.atan(-ahead.x, -ahead.z)
+  if math.abs(angle) > 1e-7 then self.node.world_rotation = quat.axis_angle(vec3.up, angle) * self.node.world_rotation end
 end
 
 -- Out of whatever moved into it.
@@ -149,8 +169,10 @@ end
 
 function Character:stand(hit)
   self.is_grounded, self.ground, self.normal = true, hit.node, self:face(hit)
+  self.is_launched = false
   self.foothold = hit.node:to_local(hit.point)
   self.stood_at = hit.node:to_world(self.foothold)     -- so that ground at rest carries by exactly nothing
+  self.ground_rotation = hit.node.world_rotation
   local body = hit.body
   if body.type == "dynamic" then body:apply_force(physics.gravity * self.mass, hit.point) end
 end

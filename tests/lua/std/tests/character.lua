@@ -385,6 +385,41 @@ test("two runs are the same to the last digit", function()
   expect(places[2]):equals(places[1])
 end)
 
+test("launch() throws it to that height, from the ground and from a fall, and cut_jump() leaves it", function()
+  floor()
+  local node, character = walker()
+  for _, from in ipairs { STANDING, STANDING + 3 } do
+    node:teleport(vec3(0, from, 0))
+    wait(0.2)
+    local start, top = node.position.y, 0
+    character:launch(4)
+    wait(0.1)
+    character:cut_jump()
+    for _ = 1, 120 do
+      wait(0)
+      top = math.max(top, node.position.y)
+    end
+    expect(top - start):near(4, 0.02)
+    expect(character.is_grounded):equals(true)
+  end
+end)
+
+test("ground that turns about y turns who stands on it; tipping ground does not", function()
+  local disc = scene.add { name = "disc", position = vec3(0, -0.5, 0), body = "kinematic", mesh = { shape = "box", size = vec3(9, 1, 9) },
+    behaviours = { platform = { turn_speed = 0.8 } } }
+  local node = walker(vec3(2, 0, 0))
+  local ahead = disc.world_rotation:inverse() * node.forward
+  wait(3)
+  expect(disc.world_rotation:inverse() * node.forward):near(ahead, 1e-3)
+  disc.behaviours.platform = nil
+  local before = node.forward
+  for _ = 1, 60 do
+    disc:turn(vec3.right, 0.002)
+    wait(0)
+  end
+  expect(node.forward):near(before, 1e-3)
+end)
+
 -- Walls around a heap of boxes that lie at random, some of them moving.
 local function heap()
   floor()

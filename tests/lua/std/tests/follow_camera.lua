@@ -50,3 +50,27 @@ test("it swings round when the target walks sideways, and not when it walks stra
   end
   expect(eye.right.z):near(math.sin(0.5), 0.02)                       -- half a radian to the right
 end)
+
+test("look() turns it about its target as far as it is told, within bounds, and holds for a while", function()
+  local node = target()
+  local eye = camera(node, { distance = 6, height = 0, turn_speed = 0.5, hold_seconds = 1, highest_degrees = 30 })
+  local follow = eye.behaviours.follow_camera
+  follow:look(math.pi / 2, 0)
+  wait(1.5)
+  expect(eye.forward):near(vec3.right, 0.001)
+  follow:look(0, -math.rad(80))
+  wait(1)
+  expect(eye.position.y):near(6 * math.sin(math.rad(30)), 0.02)
+  follow:look(1e-9, 0)
+  local right = eye.right
+  for _ = 1, 50 do
+    node.position = node.position + eye.right * 0.1
+    wait(0)
+  end
+  expect(eye.right:angle(right)):below(0.01)
+  for _ = 1, 60 do
+    node.position = node.position + eye.right * 0.1
+    wait(0)
+  end
+  expect(eye.right:angle(right)):above(0.3)
+end)
