@@ -144,7 +144,7 @@ TEST_CASE("games: a syntax error is told, the old code plays on, and the mend is
   runtime.tick(30);
   const std::string good = game.folder.read("player.lua");
 
-  game.replace("player.lua", "function Player:update(dt)", "function Player:update(dt");
+  game.replace("player.lua", "function Player:update()", "function Player:update(");
   runtime.press("s");
   runtime.tick(1);
   const double moved = run_for(runtime, 30);
