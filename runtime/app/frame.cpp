@@ -13,6 +13,7 @@ void Game::tick(std::vector<InputEvent> events) {
   else script.run_bot(events);
   for (const InputEvent& event : events) recorded_.emplace_back(static_cast<std::uint64_t>(ticks_), event);
   take_screen_shape(events);
+  script.take_ui_input(events);
   const std::vector<InputNotice> notices = engine_->input.sample(events);
 
   script.tick_drawing() = {};

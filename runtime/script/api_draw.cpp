@@ -1,4 +1,4 @@
-// Drawing helpers in the world and text on the screen.
+// Drawing helpers in the world.
 #include <algorithm>
 #include <cmath>
 
@@ -10,8 +10,6 @@
 namespace tumble {
 
 namespace {
-
-constexpr double kHeight = 720;  // of the screen, in ui units
 
 void add_line(Script& s, Vec3 from, Vec3 to, const Color& color, bool on_top = false) {
   DrawLine line;
@@ -53,86 +51,6 @@ void world_text(Script& s, Vec3 position, std::string words, std::optional<Color
   s.drawing().ui.push_back(entry);
 }
 
-// ---- ui
-
-struct Place { double x = 0, y = 0; };
-
-double number(const Value& options, const char* name, double missing, const char* call) {
-  const Value* value = options.find(name);
-  if (!value) return missing;
-  if (!value->is_number() || !std::isfinite(value->number())) fail(call, ": ", name, ": a finite number expected, got ", tumble::text(*value));
-  return value->number();
-}
-
-// Where something of that size goes: a named place with a margin, moved by x and y; or at x and y alone.
-Place place(const Value& options, double width, double height, double screen_width, const char* call) {
-  constexpr double margin = 24;
-  const double x = number(options, "x", 0, call), y = number(options, "y", 0, call);
-  static const EnumNames names = {"top_left", "top", "top_right", "left", "center", "right", "bottom_left", "bottom", "bottom_right"};
-  const Value* at = options.find("at");
-  if (!at && (options.find("x") || options.find("y"))) return {x, y};
-  const std::string name = at && at->is<std::string>() ? *at->get<std::string>() : "top_left";
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end() || (at && !at->is<std::string>()))
-    fail(call, ": at: one of ", join(names), " expected, got ", at ? tumble::text(*at) : "nil", did_you_mean(name, names));
-  const auto i = found - names.begin();
-  const double xs[] = {margin, (screen_width - width) / 2, screen_width - width - margin};
-  const double ys[] = {margin, (kHeight - height) / 2, kHeight - height - margin};
-  return {xs[i % 3] + x, ys[i / 3] + y};
-}
-
-void check_options(const Value& options, const std::vector<std::string>& known, const std::string& call) {
-  if (const Map* map = options.get<Map>())
-    for (const auto& [name, value] : *map)
-      if (std::find(known.begin(), known.end(), name) == known.end()) fail(call, ": no option '", name, "'; known: ", join(known));
-}
-
-Color color_of(const Value& options, const char* name, Color missing, const std::string& call) {
-  Color color = missing;
-  if (const Value* value = options.find(name)) assign(type_of<Color>(), &color, *value, call + ": " + name);
-  return color;
-}
-
-void ui_text(Script& s, Anything words, std::optional<Value> given) {
-  const Value options = given.value_or(Value{});
-  check_options(options, {"at", "x", "y", "size", "color"}, "ui.text");
-  const double size = number(options, "size", 28, "ui.text");
-  const std::string text = luaL_tolstring(s.stack(), words.index, nullptr);
-  lua_pop(s.stack(), 1);
-  if (!is_utf8(text)) fail("ui.text: the text is not UTF-8; save the file as UTF-8");
-  const TextSize measure = measure_text(text, size);
-  const Place at = place(options, measure.width, measure.height, kHeight * s.aspect, "ui.text");
-  DrawUi entry;
-  entry.is_text = true;
-  entry.text = {text, static_cast<float>(at.x), static_cast<float>(at.y), static_cast<float>(size), color_of(options, "color", {1, 1, 1, 1}, "ui.text"), false};
-  s.drawing().ui.push_back(entry);
-}
-
-void add_panel(Script& s, double x, double y, double width, double height, Color color) {
-  DrawUi entry;
-  entry.panel = {static_cast<float>(x), static_cast<float>(y), static_cast<float>(width), static_cast<float>(height), color};
-  s.drawing().ui.push_back(entry);
-}
-
-void bar(Script& s, double fraction, std::optional<Value> given) {
-  const Value options = given.value_or(Value{});
-  check_options(options, {"at", "x", "y", "width", "height", "color"}, "ui.bar");
-  const double width = number(options, "width", 240, "ui.bar"), height = number(options, "height", 16, "ui.bar");
-  const Place at = place(options, width, height, kHeight * s.aspect, "ui.bar");
-  add_panel(s, at.x, at.y, width, height, {0, 0, 0, 0.45});
-  add_panel(s, at.x, at.y, width * std::clamp(fraction, 0.0, 1.0), height, color_of(options, "color", {1, 1, 1, 1}, "ui.bar"));
-}
-
-void box(Script& s, Value options) {
-  check_options(options, {"at", "x", "y", "width", "height", "color"}, "ui.box");
-  const double width = number(options, "width", 240, "ui.box"), height = number(options, "height", 120, "ui.box");
-  const Place at = place(options, width, height, kHeight * s.aspect, "ui.box");
-  add_panel(s, at.x, at.y, width, height, color_of(options, "color", {0, 0, 0, 0.55}, "ui.box"));
-}
-
-double ui_width(Script& s) { return kHeight * s.aspect; }
-double ui_height(Script&) { return kHeight; }
-
 }  // namespace
 
 void Script::note_ray(Vec3 from, Vec3 to) {
@@ -146,14 +64,6 @@ void rows_draw(Area& a) {
   a.fn<point>("point", "A small cross.", "position", "size", "color");
   a.fn<path>("path", "Lines through a list of points.", "points", "color").takes(0, "list of vec3");
   a.fn<world_text>("text", "Text at a place in the world.", "position", "text", "color");
-}
-
-void rows_ui(Area& a) {
-  a.fn<ui_text>("text", "Writes a text. Options: at (\"top_left\" ... \"center\" ... \"bottom_right\"), moved by x and y, or x and y alone; size, color.", "text", "options").takes(1, "table");
-  a.fn<bar>("bar", "A bar that is filled to a fraction. Options: at, x, y as for text; width, height, color.", "fraction", "options").takes(1, "table");
-  a.fn<box>("box", "A filled rectangle, to stand behind text. Options: at, x, y as for text; width, height, color.", "options").takes(0, "table");
-  a.prop<ui_width>("width", "The screen's width in ui units: 1280 at 16:9.");
-  a.prop<ui_height>("height", "The screen's height in ui units: always 720.");
 }
 
 }  // namespace tumble

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/text.h"
+#include "engine/ui/ui.h"
 #include "script/areas.h"
 #include "script/script.h"
 
@@ -121,7 +122,7 @@ void reset_bindings(Script& s, std::optional<std::string> action) {
 double wheel(Script& s) { return s.live_engine().input.wheel; }
 Value pointer(Script& s) {
   const InputMap& input = s.live_engine().input;
-  return Map{{"x", input.pointer_x}, {"y", input.pointer_y}, {"dx", input.pointer_dx}, {"dy", input.pointer_dy}, {"is_over_ui", false}};
+  return Map{{"x", input.pointer_x}, {"y", input.pointer_y}, {"dx", input.pointer_dx}, {"dy", input.pointer_dy}, {"is_over_ui", s.ui().is_over()}};
 }
 
 // ---- log
@@ -191,7 +192,7 @@ void rows_input(Area& a) {
       .acts().takes(1, "list of string").takes(2, "table");
   a.fn<reset_bindings>("reset_bindings", "Gives an action the keys of game.json back and forgets what was saved; without an action all of them.", "action").acts();
   a.fn<bindings>("bindings", "The raw names that an action has.", "action");
-  a.prop<pointer>("pointer", "Where the pointer is in ui units (720 high): x, y, and how it moved: dx, dy.").gives("table");
+  a.prop<pointer>("pointer", "Where the pointer is in ui units (720 high): x, y, and how it moved: dx, dy; is_over_ui: is it over a widget?").gives("table");
   a.prop<wheel>("wheel", "Steps of the wheel in this tick, away from you.");
 }
 

@@ -19,6 +19,11 @@ struct Entry {
 template <class T>
 const Type* described() { return &type_of<T>(); }
 
+const char* const kUiDoc =
+    "What is on the screen, named anew in each tick, in draw_ui(). The screen is 720 units high whatever the window; `at` keeps things at its edges and corners, and panels and "
+    "rows stack what is in them. Arrows, d-pad and left stick walk through the widgets of panels, enter, space and pad_a press them; a press that a widget took, the game does not "
+    "see. A widget is known by its label: one that changes or comes twice needs an id.";
+
 // A module and an object may share a word ("joint" the module, "joint" the object); objects are found by area(), and
 // modules are what is not an object.
 const Entry kEntries[] = {
@@ -45,7 +50,7 @@ const Entry kEntries[] = {
     {"task", false, rows_task, nullptr, "Things that happen later or go on for a while."},
     {"random", false, rows_random, nullptr, "Random numbers, seeded by the game."},
     {"draw", false, rows_draw, nullptr, "Lines and marks in the world, for one tick (from frame: one frame)."},
-    {"ui", false, rows_ui, nullptr, "Text and bars on the screen, called in draw_ui(). The screen is 720 units high."},
+    {"ui", false, rows_ui, nullptr, kUiDoc},
     {"storage", false, rows_storage, nullptr, "What a game keeps from one run to the next, such as high scores and settings."},
     {"log", false, rows_log, nullptr, "Lines for the author."},
     {"game", false, rows_game, nullptr, "The game itself: its report, its end."},

@@ -31,6 +31,7 @@ void rows_time(Area&);
 void rows_random(Area&);
 void rows_draw(Area&);
 void rows_ui(Area&);
+const std::vector<const Type*>& ui_option_types();   // for the documents
 void rows_storage(Area&);
 void rows_log(Area&);
 void rows_game(Area&);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/text.h"
+#include "engine/ui/ui.h"
 #include "script/coroutines.h"
 #include "script/embedded.h"
 #include "script/pairs.h"
@@ -295,14 +296,14 @@ struct CoreApi {
     });
   }
   static int bot_event(lua_State* L) {
-    static const std::pair<const char*, InputKind> kinds[] = {{"press", InputKind::press}, {"release", InputKind::release}, {"value", InputKind::value}, {"pointer_move", InputKind::pointer_move}};
+    static const std::pair<const char*, InputKind> kinds[] = {{"press", InputKind::press}, {"release", InputKind::release}, {"value", InputKind::value}, {"pointer_move", InputKind::pointer_move}, {"wheel", InputKind::wheel}, {"text", InputKind::text}};
     Script& s = script(L);
     if (!s.bot_events_) return 0;
     InputEvent event;
     for (const auto& [name, kind] : kinds)
       if (string_at(L, 1) == name) event.kind = kind;
     event.name = string_at(L, 2);
-    if (event.kind == InputKind::value) event.value = lua_tonumber(L, 3);
+    if (event.kind == InputKind::value || event.kind == InputKind::wheel) event.value = lua_tonumber(L, 3);
     if (event.kind == InputKind::pointer_move) {
       event.x = lua_tonumber(L, 3);
       event.y = lua_tonumber(L, 4);
@@ -314,6 +315,18 @@ struct CoreApi {
     s.bot_events_->push_back(event);
     return 0;
   }
+  // The middle of a widget, or nil and what there is instead.
+  static int ui_place(lua_State* L) {
+    const Ui& ui = script(L).ui();
+    if (const UiRect* rect = ui.find_widget(string_at(L, 1))) {
+      lua_pushnumber(L, rect->x + rect->width / 2);
+      lua_pushnumber(L, rect->y + rect->height / 2);
+      return 2;
+    }
+    lua_pushnil(L);
+    return 1 + push_text(L, join(ui.labels()));
+  }
+  static int ui_is_on_screen(lua_State* L) { return lua_pushboolean(L, script(L).ui().is_on_screen(string_at(L, 1))), 1; }
   static int test_done(lua_State* L) {
     script(L).test_outcome = {static_cast<bool>(lua_toboolean(L, 1)), string_at(L, 2)};
     return 0;
@@ -336,6 +349,7 @@ void push_core(lua_State* L) {
       
       {"coroutine", CoreApi::coroutine}, {"yield", CoreApi::yield}, {"status", CoreApi::status}, {"resume", boot_resume},
       {"bot_ticks", CoreApi::bot_ticks}, {"raw_name", CoreApi::raw_name}, {"bot_event", CoreApi::bot_event}, {"test_done", CoreApi::test_done},
+      {"ui_place", CoreApi::ui_place}, {"ui_is_on_screen", CoreApi::ui_is_on_screen},
   };
   lua_newtable(L);
   for (const luaL_Reg& one : functions) {

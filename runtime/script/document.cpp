@@ -6,6 +6,7 @@
 #include "engine/node_def.h"
 #include "engine/settings.h"
 #include "physics/joint.h"
+#include "script/areas.h"
 #include "script/document_parts.h"
 
 namespace tumble {
@@ -58,6 +59,7 @@ std::vector<Page> document_pages() {
   for (const std::string& kind : joint_kind_names()) joint.tables.push_back(&joint_kind_type(joint_kind(kind)));
   joint.notes = kJointNotes;
   page_of(pages, "physics").notes = kFilterNotes;
+  page_of(pages, "ui").tables = ui_option_types();
 
   Page& settings = pages.emplace_back();
   settings.name = "game_json";

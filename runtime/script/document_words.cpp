@@ -109,6 +109,10 @@ void fill_bot(Area& a) {
              {{"low", "string"}, {"high", "string"}, {"value", "number"}});
   a.scripted("point_at", "Moves the pointer to a place in ui units, or to a node or point of the world as the camera sees it; point_at(x, y, seconds) takes its time.",
              {{"x", "any"}, {"y", "number", true}, {"seconds", "number", true}});
+  a.scripted("turn_wheel", "Turns the wheel by so many steps, away from you.", {{"steps", "number"}});
+  a.scripted("type_text", "Types a text, as on_text and fields hear it.", {{"text", "string"}});
+  a.scripted("click", "Moves the pointer to the widget with that label or id, presses and lets go. Waits up to a second for it.", {{"label", "string"}});
+  a.scripted("is_on_screen", "Is there such a widget, or such a text?", {{"label", "string"}}, "boolean");
   a.scripted("test", "In tests/*.lua: one claim; it runs in a fresh game.", {{"claim", "string"}, {"fn", "function"}});
   a.scripted("expect", "In tests/*.lua: expect(v) and then :equals(x) :near(x, tolerance) :above(x) :below(x) :contains(x), or :raises(text) of a function.",
              {{"value", "any"}}, "expectation");

@@ -4,6 +4,7 @@
 
 #include "base/hash.h"
 #include "base/text.h"
+#include "engine/ui/ui.h"
 #include "script/areas.h"
 #include "script/core.h"
 #include "script/dispatch.h"
@@ -23,11 +24,13 @@ void describe(ModuleSettings& settings, Schema& s) {
   s.add("time_scale", settings.time_scale, "time.scale.");
   s.add("paused", settings.paused, "time.paused.");
   s.add("debug_view", settings.debug_view, "physics.debug_view.");
+  s.add("ui", settings.ui, "ui.style.");
 }
 
 Script::Script(Engine& engine, ScriptHost host) : live_(engine), host_(std::move(host)), memory_(host_.memory_limit) {
   live_settings_.physics = game_physics_ = engine.settings.physics;
   watchdog_ = std::make_unique<Watchdog>(host_.time_limit);
+  ui_ = std::make_unique<Ui>();
   open_state();
 }
 

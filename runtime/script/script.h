@@ -16,6 +16,7 @@
 #include "engine/engine.h"
 #include "engine/extract.h"
 #include "engine/storage.h"
+#include "engine/ui/options.h"
 #include "script/memory.h"
 #include "script/param.h"
 
@@ -54,6 +55,7 @@ struct ModuleSettings {
   double time_scale = 1;
   bool paused = false;
   DebugView debug_view = DebugView::none;
+  UiStyle ui;
 };
 void describe(ModuleSettings& settings, Schema& s);
 
@@ -114,6 +116,7 @@ struct Declarations {
   std::map<std::string, JointRef> joint_keys;
 };
 
+class Ui;
 struct HitData;
 struct ContactEvent;
 enum class Tag : std::uint32_t;  // of objects.h
@@ -140,6 +143,7 @@ class Script {
 
   // ---- one tick, in this order (app/frame.cpp). Each runs protected: a failing script is stopped and reported.
   void run_bot(std::vector<InputEvent>& events);       // may add events
+  void take_ui_input(std::vector<InputEvent>& events);  // removes what a widget took
   void deliver_input(const std::vector<InputNotice>& notices);
   void run_tasks(double dt);
   void update(double dt);
@@ -152,6 +156,7 @@ class Script {
   void collect_garbage();                              // once a frame
   void read_report();                                  // fills `report`
 
+  Ui& ui() { return *ui_; }
   Drawing& tick_drawing() { return tick_drawing_; }
   Drawing& frame_drawing() { return frame_drawing_; }
   GameRequests requests;
@@ -294,6 +299,7 @@ class Script {
   std::set<std::string> noted_files_;
   NodeDef loaded_def_;                                 // the scene file as it was read last
   std::unique_ptr<class Watchdog> watchdog_;
+  std::unique_ptr<Ui> ui_;
 };
 
 // A collision, trigger or query hit, kept by value.

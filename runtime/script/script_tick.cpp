@@ -1,4 +1,5 @@
 // What the frame calls in each tick, in the order of app/frame.cpp.
+#include "engine/ui/ui.h"
 #include "script/bind.h"
 #include "script/script.h"
 
@@ -16,6 +17,8 @@ const char* notice_name(InputNotice::Kind kind) {
   return "";
 }
 }  // namespace
+
+void Script::take_ui_input(std::vector<InputEvent>& events) { ui_->take_input(events, 1 / live_.settings.tick_rate); }
 
 void Script::deliver_input(const std::vector<InputNotice>& notices) {
   for (const InputNotice& notice : notices) {
@@ -48,8 +51,10 @@ void Script::late_update(double dt) {
 }
 
 void Script::draw_ui() {
+  ui_->begin(live_settings_.ui);
   lua_pushboolean(L_, live_settings_.paused);
   call_boot("draw_ui", 1, 0, Phase::run);
+  ui_->end(kUiHeight * aspect, tick_drawing_.ui);
 }
 
 void Script::frame(double dt) {

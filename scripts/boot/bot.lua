@@ -43,6 +43,41 @@ return function(parts)
       if player and coroutine.isyieldable() then core.yield(seconds) end
     end
   end
+  function verbs.turn_wheel(steps)
+    if type(steps) ~= "number" then core.raise("turn_wheel: steps: a number expected, got " .. core.short(steps)) end
+    core.bot_event("wheel", "", steps, 0)
+  end
+  function verbs.type_text(text)
+    if type(text) ~= "string" then core.raise("type_text: a string expected, got " .. core.short(text)) end
+    core.bot_event("text", text, 0, 0)
+  end
+
+  -- ---- the ui: what the pointer can do, by the label or id of a widget
+  local function check_label(call, label)
+    if type(label) ~= "string" then core.raise(call .. ": the label or id of a widget expected, got " .. core.short(label)) end
+  end
+  function verbs.is_on_screen(label)
+    check_label("is_on_screen", label)
+    return core.ui_is_on_screen(label)
+  end
+  -- Waits for the widget, since a menu is on the screen one tick after what opened it; returns when it was let go.
+  local longest_wait = 1             -- s
+  function verbs.click(label)
+    check_label("click", label)
+    local can_wait = player and coroutine.isyieldable()
+    local begun = clock()
+    local x, y = core.ui_place(label)
+    while not x and can_wait and clock() < begun + longest_wait do
+      core.yield(core.tick_seconds())
+      x, y = core.ui_place(label)
+    end
+    if not x then
+      core.raise(("click: no widget '%s' on the screen%s"):format(label, y == "" and "; there is none at all" or "; there are: " .. y))
+    end
+    verbs.point_at(x, y)
+    verbs.tap("pointer")
+    if can_wait then core.yield(2 * core.tick_seconds()) end
+  end
   verbs.wait, verbs.wait_until = core.globals.wait, core.globals.wait_until
 
   local function run_held()

@@ -26,6 +26,23 @@ function set_axis(low, high, value) end
 ---@param seconds? number
 function point_at(x, y, seconds) end
 
+--- Turns the wheel by so many steps, away from you.
+---@param steps number
+function turn_wheel(steps) end
+
+--- Types a text, as on_text and fields hear it.
+---@param text string
+function type_text(text) end
+
+--- Moves the pointer to the widget with that label or id, presses and lets go. Waits up to a second for it.
+---@param label string
+function click(label) end
+
+--- Is there such a widget, or such a text?
+---@param label string
+---@return boolean
+function is_on_screen(label) end
+
 --- In tests/*.lua: one claim; it runs in a fresh game.
 ---@param claim string
 ---@param fn function

@@ -31,6 +31,7 @@ TestGame::TestGame(Files texts, double time_limit, std::uint64_t seed) : files(s
 void TestGame::tick(int count, std::vector<InputEvent> events) {
   const double dt = 1 / engine->settings.tick_rate;
   for (int i = 0; i < count; ++i) {
+    script->take_ui_input(events);
     const auto notices = engine->input.sample(events);
     events.clear();
     script->tick_drawing() = {};

@@ -1,0 +1,2 @@
+-- expect: ui.button: only in draw_ui()
+ui.button("Play")

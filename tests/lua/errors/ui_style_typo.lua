@@ -1,0 +1,2 @@
+-- expect: ui.style: no field 'acent'; did you mean 'accent'?
+ui.style { acent = "gold" }
