@@ -1,6 +1,8 @@
 #include "platform/input.h"
 
 #include <algorithm>
+#include <cctype>
+#include <map>
 
 namespace tumble {
 namespace {
@@ -41,7 +43,47 @@ std::vector<std::string> all_names() {
   return names;
 }
 
+// What reads badly when its underscores become spaces.
+const std::map<std::string, std::string> kLabels = {
+    {"left", "Left arrow"}, {"right", "Right arrow"}, {"up", "Up arrow"}, {"down", "Down arrow"},
+    {"minus", "-"}, {"equals", "="}, {"left_bracket", "["}, {"right_bracket", "]"}, {"backslash", "\\"}, {"semicolon", ";"},
+    {"apostrophe", "'"}, {"grave", "`"}, {"comma", ","}, {"period", "."}, {"slash", "/"}, {"less", "<"},
+    {"keypad_plus", "Keypad +"}, {"keypad_minus", "Keypad -"}, {"keypad_multiply", "Keypad *"}, {"keypad_divide", "Keypad /"},
+    {"keypad_period", "Keypad ."},
+    {"pointer", "Left mouse button"}, {"pointer_right", "Right mouse button"}, {"pointer_middle", "Middle mouse button"},
+    {"pointer_back", "Mouse button back"}, {"pointer_forward", "Mouse button forward"}};
+const std::map<std::string, std::string> kPadLabels = {
+    {"left_stick", "left stick pressed"}, {"right_stick", "right stick pressed"},
+    {"left_x+", "left stick right"}, {"left_x-", "left stick left"}, {"left_y+", "left stick up"}, {"left_y-", "left stick down"},
+    {"right_x+", "right stick right"}, {"right_x-", "right stick left"}, {"right_y+", "right stick up"}, {"right_y-", "right stick down"}};
+
+std::string spaced(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
+std::string capitalized(std::string words) {
+  if (!words.empty()) words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
+  return words;
+}
+
+// "a" of any pad is "Pad A", of the second "Pad 2 A"; a stick needs no "Pad" before it.
+std::string pad_label(const std::string& number, const std::string& control) {
+  const auto found = kPadLabels.find(control);
+  const std::string words = found != kPadLabels.end() ? found->second : spaced(control);
+  const bool is_plain = words.find(' ') == std::string::npos;
+  if (number.empty() && !is_plain) return capitalized(words);
+  return "Pad " + (number.empty() ? "" : number + " ") + (control.size() == 1 ? capitalized(words) : words);
+}
+
 }  // namespace
+
+std::string input_label(const std::string& name) {
+  const std::size_t line = name.find('_');
+  if (name.starts_with("pad") && line != std::string::npos) return pad_label(name.substr(3, line - 3), name.substr(line + 1));
+  const auto found = kLabels.find(name);
+  return found != kLabels.end() ? found->second : capitalized(spaced(name));
+}
 
 const std::vector<std::string>& raw_input_names() {
   static const std::vector<std::string> names = all_names();

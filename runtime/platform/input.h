@@ -30,5 +30,7 @@ struct InputEvent {
 // Every raw name that a keyboard, mouse or pad can give, in alphabetical order.
 const std::vector<std::string>& raw_input_names();
 bool is_raw_input_name(const std::string& name);
+// A raw name in words for the screen: "Space", "Left stick right", "Pad 2 A".
+std::string input_label(const std::string& name);
 
 }  // namespace tumble

@@ -25,6 +25,7 @@ struct WindowEvents {
   std::vector<InputEvent> input;   // in order; on loss of focus a release of everything held comes by itself
   // Function keys pressed. "f3", "f5" and "f11" are ours and kept from the game; the others are in `input` too.
   std::vector<std::string> keys;
+  std::vector<std::string> notes;  // for the log: a pad that came or went
   bool quit = false;
   bool focus_lost = false, focus_gained = false;
 };
@@ -49,6 +50,11 @@ class Window {
   virtual void set_size(int width, int height) = 0;  // in the units of WindowDef
   virtual void set_title(const std::string& title) = 0;
   virtual void capture_pointer(bool on) = 0;  // hidden and endless
+  // Typed text comes as events, with the person's input method and, where there is one, a keyboard on the screen. Off at
+  // first.
+  virtual void want_text(bool on) = 0;
+  // Shakes the pad of that number, from 1; 0 is all. Strength 0..1. Pads that cannot do nothing.
+  virtual void rumble(int pad, double strength, double seconds) = 0;
   // The thread's GL calls go to this window from here on; renderers call it, for there may be several windows.
   virtual void make_current() = 0;
   virtual void* gl_function(const char* name) const = 0;

@@ -62,3 +62,24 @@ TEST_CASE("input: everything held can be released at once", "[platform]") {
   CHECK(out[2].name == "space");
   CHECK(out[3].name == "w");
 }
+
+TEST_CASE("input: every raw name has a label, and no two share one", "[platform]") {
+  std::vector<std::string> labels;
+  for (const std::string& name : raw_input_names()) {
+    labels.push_back(input_label(name));
+    INFO(name << ": " << labels.back());
+    CHECK_FALSE(labels.back().empty());
+    CHECK(labels.back().find('_') == std::string::npos);
+  }
+  std::sort(labels.begin(), labels.end());
+  CHECK(std::adjacent_find(labels.begin(), labels.end()) == labels.end());
+}
+
+TEST_CASE("input: labels are what a menu would say", "[platform]") {
+  const std::pair<const char*, const char*> expected[] = {
+      {"space", "Space"}, {"k", "K"}, {"f1", "F1"}, {"left", "Left arrow"}, {"left_shift", "Left shift"}, {"comma", ","},
+      {"keypad_5", "Keypad 5"}, {"pointer", "Left mouse button"}, {"pad_a", "Pad A"}, {"pad_up", "Pad up"}, {"pad_start", "Pad start"},
+      {"pad_left_x+", "Left stick right"}, {"pad_right_y-", "Right stick down"}, {"pad_left_trigger", "Left trigger"},
+      {"pad_left_stick", "Left stick pressed"}, {"pad2_a", "Pad 2 A"}, {"pad3_left_y+", "Pad 3 left stick up"}};
+  for (const auto& [name, label] : expected) CHECK(input_label(name) == label);
+}

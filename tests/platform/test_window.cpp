@@ -144,6 +144,15 @@ TEST_CASE("window: wheel, typed text and quit", "[platform]") {
   CHECK(events.quit);
 }
 
+TEST_CASE("window: the input method is on only while text is wanted", "[platform]") {
+  const auto window = open_hidden();
+  CHECK_FALSE(SDL_IsTextInputActive());
+  window->want_text(true);
+  CHECK(SDL_IsTextInputActive());
+  window->want_text(false);
+  CHECK_FALSE(SDL_IsTextInputActive());
+}
+
 TEST_CASE("window: drawing off screen leaves environment and signals alone", "[platform]") {
   const std::string before = std::getenv("SDL_VIDEODRIVER") ? std::getenv("SDL_VIDEODRIVER") : "";
   struct sigaction at_first {}, now {};

@@ -43,7 +43,7 @@ void EventReader::read(const SDL_Event& event, int window_height, WindowEvents& 
     case SDL_MOUSEWHEEL:
       if (event.wheel.preciseY != 0) out.input.push_back(wheel(event.wheel));
       break;
-    default: pads_.handle(event, held_, out.input); break;
+    default: pads_.handle(event, held_, out); break;
   }
 }
 

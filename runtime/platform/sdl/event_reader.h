@@ -13,6 +13,7 @@ class EventReader {
  public:
   // Until then pads are not looked for.
   void start_pads() { pads_.start(); }
+  void rumble(int pad, double strength, double seconds) { pads_.rumble(pad, strength, seconds); }
   // Adds to `out` what `event` means. `window_height` is in SDL's window units.
   void read(const SDL_Event& event, int window_height, WindowEvents& out);
 

@@ -22,6 +22,8 @@ bool is_analog(std::string_view control) {
   return control.ends_with("trigger") || control.ends_with('+') || control.ends_with('-');
 }
 
+std::string known_name(const char* name) { return name ? name : "a pad without a name"; }
+
 void tell(const std::string& name, bool analog, double value, HeldInput& held, std::vector<InputEvent>& out) {
   if (analog) held.set_value(name, value, out);
   else if (value > 0) held.press(name, out);
@@ -38,14 +40,19 @@ Pads::~Pads() {
 
 void Pads::start() { started_ = started_ || SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER) == 0; }
 
-void Pads::handle(const SDL_Event& event, HeldInput& held, std::vector<InputEvent>& out) {
+void Pads::handle(const SDL_Event& event, HeldInput& held, WindowEvents& out) {
   switch (event.type) {
-    case SDL_CONTROLLERDEVICEADDED: plug_in(event.cdevice.which); break;
+    case SDL_CONTROLLERDEVICEADDED: plug_in(event.cdevice.which, out.notes); break;
     case SDL_CONTROLLERDEVICEREMOVED: unplug(event.cdevice.which, held, out); break;
-    case SDL_CONTROLLERAXISMOTION: set_axis(event.caxis.which, event.caxis.axis, event.caxis.value, held, out); break;
+    case SDL_CONTROLLERAXISMOTION: set_axis(event.caxis.which, event.caxis.axis, event.caxis.value, held, out.input); break;
     case SDL_CONTROLLERBUTTONDOWN:
     case SDL_CONTROLLERBUTTONUP:
-      set(event.cbutton.which, pad_button_name(event.cbutton.button), event.cbutton.state, held, out);
+      set(event.cbutton.which, pad_button_name(event.cbutton.button), event.cbutton.state, held, out.input);
+      break;
+    case SDL_JOYDEVICEADDED:
+      if (!SDL_IsGameController(event.jdevice.which))
+        out.notes.push_back("'" + known_name(SDL_JoystickNameForIndex(event.jdevice.which)) +
+                            "' is not used: nobody has told SDL which of its buttons is which (SDL_GAMECONTROLLERCONFIG can)");
       break;
     default: break;
   }
@@ -55,24 +62,37 @@ void Pads::forget() {
   for (Pad& pad : pads_) pad.values.clear();
 }
 
-void Pads::plug_in(int device_index) {
+void Pads::plug_in(int device_index, std::vector<std::string>& notes) {
   const SDL_JoystickID id = SDL_JoystickGetDeviceInstanceID(device_index);
   for (const Pad& pad : pads_)
     if (pad.device && pad.id == id) return;
-  for (Pad& pad : pads_) {
-    if (pad.device) continue;
-    pad = {SDL_GameControllerOpen(device_index), id, {}};
+  const std::string name = known_name(SDL_GameControllerNameForIndex(device_index));
+  const auto free = std::find_if(pads_.begin(), pads_.end(), [](const Pad& pad) { return !pad.device; });
+  if (free == pads_.end()) {
+    notes.push_back("'" + name + "' is not used: there are " + std::to_string(kMaxPads) + " pads already");
     return;
+  }
+  *free = {SDL_GameControllerOpen(device_index), id, name, {}};
+  if (free->device) notes.push_back("pad " + std::to_string(free - pads_.begin() + 1) + " is here: " + name);
+}
+
+void Pads::unplug(SDL_JoystickID id, HeldInput& held, WindowEvents& out) {
+  for (Pad& pad : pads_) {
+    if (!pad.device || pad.id != id) continue;
+    out.notes.push_back("pad " + std::to_string(&pad - pads_.data() + 1) + " is gone: " + pad.name);
+    const auto values = pad.values;
+    for (const auto& [control, value] : values) set(id, control.c_str(), 0, held, out.input);
+    SDL_GameControllerClose(pad.device);
+    pad = {};
   }
 }
 
-void Pads::unplug(SDL_JoystickID id, HeldInput& held, std::vector<InputEvent>& out) {
-  for (Pad& pad : pads_) {
-    if (!pad.device || pad.id != id) continue;
-    const auto values = pad.values;
-    for (const auto& [control, value] : values) set(id, control.c_str(), 0, held, out);
-    SDL_GameControllerClose(pad.device);
-    pad = {};
+void Pads::rumble(int number, double strength, double seconds) {
+  const auto motor = static_cast<Uint16>(std::lround(std::clamp(strength, 0.0, 1.0) * 65535));
+  const auto ms = static_cast<Uint32>(std::lround(seconds * 1000));
+  for (int i = 0; i < kMaxPads; ++i) {
+    SDL_GameController* device = pads_[static_cast<std::size_t>(i)].device;
+    if (device && (number == 0 || number == i + 1)) SDL_GameControllerRumble(device, motor, motor, ms);
   }
 }
 

@@ -37,6 +37,7 @@ class SdlWindow final : public Window {
            "; install or update the graphics driver (Mesa's libgl1-mesa-dri draws without a graphics card)");
     SDL_SetWindowMinimumSize(window_, kSmallestSide, kSmallestSide);
     SDL_GL_SetSwapInterval(def.vsync && !def.offscreen ? 1 : 0);
+    SDL_StopTextInput();  // SDL begins with it on, and an input method would take keys that are meant for the game
     if (!def.offscreen) reader_.start_pads();
   }
 
@@ -63,6 +64,11 @@ class SdlWindow final : public Window {
   void set_size(int width, int height) override { SDL_SetWindowSize(window_, width, height); }
   void set_title(const std::string& title) override { SDL_SetWindowTitle(window_, title.c_str()); }
   void capture_pointer(bool on) override { SDL_SetRelativeMouseMode(on ? SDL_TRUE : SDL_FALSE); }
+  void want_text(bool on) override {
+    if (on == static_cast<bool>(SDL_IsTextInputActive())) return;
+    on ? SDL_StartTextInput() : SDL_StopTextInput();
+  }
+  void rumble(int pad, double strength, double seconds) override { reader_.rumble(pad, strength, seconds); }
   void make_current() override { SDL_GL_MakeCurrent(window_, context_); }
   void* gl_function(const char* name) const override { return SDL_GL_GetProcAddress(name); }
 
