@@ -11,6 +11,7 @@ void Game::tick(std::vector<InputEvent> events) {
   // Input is sampled once a tick, and what is sampled is recorded: a game sees nothing else from outside.
   if (replay_) events = replayed_events();
   else script.run_bot(events);
+  join_motion(events);
   for (const InputEvent& event : events) recorded_.emplace_back(static_cast<std::uint64_t>(ticks_), event);
   take_screen_shape(events);
   script.take_ui_input(events);

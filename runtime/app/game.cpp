@@ -123,6 +123,22 @@ std::vector<InputEvent> Game::replayed_events() {
   return events;
 }
 
+// Motion without anything between is one event: a fast mouse would otherwise fill the recording of a long game.
+void Game::join_motion(std::vector<InputEvent>& events) {
+  std::vector<InputEvent> joined;
+  for (InputEvent& event : events) {
+    const bool goes_on = event.kind == InputKind::pointer_move && !joined.empty() && joined.back().kind == event.kind;
+    if (goes_on) {
+      event.dx += joined.back().dx;
+      event.dy += joined.back().dy;
+      joined.back() = std::move(event);
+    } else {
+      joined.push_back(std::move(event));
+    }
+  }
+  events = std::move(joined);
+}
+
 void Game::take_screen_shape(std::vector<InputEvent>& events) {
   for (const InputEvent& event : events)
     if (event.kind == InputKind::value && event.name == kScreenShape) script_->aspect = event.value;

@@ -65,6 +65,7 @@ class Game {
   void note(LogLevel level, const std::string& text);
   std::vector<InputEvent> replayed_events();
   void keep_storage();
+  static void join_motion(std::vector<InputEvent>& events);
   void take_screen_shape(std::vector<InputEvent>& events);
   void add_script_drawing(DrawList& list);
   void add_debug_lines(DrawList& list);

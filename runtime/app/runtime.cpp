@@ -53,6 +53,8 @@ void Runtime::Impl::tick_once() {
   pending.clear();
   game->screen_shape(aspect(), events);
   game->tick(std::move(events));
+  for (const Rumble& rumble : std::exchange(game->script().requests.rumbles, {}))
+    if (window) window->rumble(rumble.pad, rumble.strength, rumble.seconds);
   if (game->script().requests.restart) restart();
 }
 
@@ -81,6 +83,16 @@ void Runtime::Impl::handle_keys(const WindowEvents& events) {
     if (key == "f5") restart();
     if (key == "f11") window->set_fullscreen(!window->fullscreen());
   }
+}
+
+// What concerns the window's input but not the game's.
+void Runtime::Impl::serve_input(const WindowEvents& events) {
+  for (const std::string& note : events.notes)
+    if (host.on_log) host.on_log(LogLevel::note, note);
+  Script& script = game->script();
+  const ModuleSettings& settings = script.module_settings();
+  window->capture_pointer(capture.update(events, settings.pointer_captured, !settings.paused && !script.shown_error));
+  window->want_text(script.wants_text());
 }
 
 Runtime::Runtime(const Options& options) : impl_(std::make_unique<Impl>()) { impl_->host.options = options; }
@@ -196,6 +208,7 @@ bool Runtime::frame() {
   const WindowEvents events = impl.window->poll();
   impl.pending.insert(impl.pending.end(), events.input.begin(), events.input.end());
   impl.handle_keys(events);
+  impl.serve_input(events);
   impl.quit |= events.quit;
   impl.game->poll_changes();
 

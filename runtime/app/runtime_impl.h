@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/game.h"
+#include "app/pointer_capture.h"
 #include "platform/window.h"
 #include "render/renderer.h"
 
@@ -25,6 +26,7 @@ struct __attribute__((visibility("hidden"))) Runtime::Impl {
   std::int64_t frames = 0;
   Clock::time_point last_frame;
   bool first_frame = true, quit = false;
+  PointerCapture capture;
   double accumulator = 0;
   std::optional<Recording> next_recording;
 
@@ -39,6 +41,7 @@ struct __attribute__((visibility("hidden"))) Runtime::Impl {
   void tick_once();
   void draw(double alpha, double dt);
   void handle_keys(const WindowEvents& events);
+  void serve_input(const WindowEvents& events);
 };
 
 Value to_inner(const Data& data);

@@ -4,6 +4,7 @@
 #include "base/text.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace tumble {
 
@@ -52,6 +53,7 @@ std::vector<InputNotice> InputMap::sample(const std::vector<InputEvent>& events)
   begin_tick();
   std::vector<InputNotice> notices;
   for (const InputEvent& event : events) {
+    if (swallows(event)) continue;
     switch (event.kind) {
       case InputKind::press:
       case InputKind::release: press_or_release(event, notices); break;
@@ -62,6 +64,31 @@ std::vector<InputNotice> InputMap::sample(const std::vector<InputEvent>& events)
     }
   }
   return notices;
+}
+
+std::optional<std::string> InputMap::take_heard() { return std::exchange(heard_, std::nullopt); }
+
+// Is the event for the listener, or the end of one that was?
+bool InputMap::swallows(const InputEvent& event) {
+  const std::string any_pad = any_pad_name(event.name);
+  switch (event.kind) {
+    case InputKind::press:
+      if (muted_.contains(event.name)) return true;
+      if (!listening_ || raw_[event.name].down) return false;
+      listening_ = false;
+      heard_ = any_pad.empty() ? event.name : any_pad;
+      muted_.insert({event.name, *heard_});
+      return true;
+    case InputKind::release:
+      if (!any_pad.empty()) muted_.erase(any_pad);
+      return muted_.erase(event.name) > 0;
+    // A stick tells its way to the press too; what it lets go of is told.
+    case InputKind::value: return muted_.contains(event.name) || (listening_ && event.value > raw_[event.name].value);
+    case InputKind::text: return listening_ || heard_;
+    case InputKind::pointer_move:
+    case InputKind::wheel: return false;
+  }
+  return false;
 }
 
 void InputMap::begin_tick() {

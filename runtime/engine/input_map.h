@@ -2,6 +2,8 @@
 #pragma once
 
 #include <map>
+#include <optional>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -31,6 +33,9 @@ class InputMap {
   // Takes the events since the last tick; returns what to deliver. A press and release of one key within a tick are
   // both seen: was_pressed and was_released are true, is_down is false.
   std::vector<InputNotice> sample(const std::vector<InputEvent>& events);
+  // From the next tick on: the next press is kept for take_heard(), and neither it nor its release is told otherwise.
+  void listen() { listening_ = true; }
+  std::optional<std::string> take_heard();               // the raw name; of a pad the one for any pad
   bool is_down(const std::string& name) const;           // names are checked by who calls
   bool was_pressed(const std::string& name) const;
   bool was_released(const std::string& name) const;
@@ -48,12 +53,16 @@ class InputMap {
   bool raw_down(const std::string& raw) const;      // "pad_a": of any pad
   double raw_value(const std::string& raw) const;
   bool action_down(const std::vector<std::string>& names) const;
+  bool swallows(const InputEvent& event);
   void begin_tick();
   void move_pointer(const InputEvent& event, std::vector<InputNotice>& notices);
   void press_or_release(const InputEvent& event, std::vector<InputNotice>& notices);
 
   std::unordered_map<std::string, Key> raw_;        // in no order: only looked up, or all set back
   std::map<std::string, std::vector<std::string>> actions_;
+  bool listening_ = false;
+  std::optional<std::string> heard_;
+  std::set<std::string> muted_;                     // pressed for a listener and not yet released
   std::unordered_map<std::string, Key> edges_;      // of actions: pressed and released only, the rest follows from raw_
 };
 

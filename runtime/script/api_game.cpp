@@ -1,4 +1,4 @@
-// The game, its clock, chance, input and log; and the modules that scripts/boot provides.
+// The game, its clock, chance and log; and the modules that scripts/boot provides.
 #include <algorithm>
 #include <cmath>
 
@@ -56,75 +56,6 @@ int shuffle(lua_State* L) {
   });
 }
 
-// ---- input
-
-// Words that people try, beside typing errors; then names that hold the word: 'shift' is left_shift or right_shift.
-std::string key_hint(const std::string& wrong, const std::vector<std::string>& names) {
-  static const std::pair<const char*, const char*> habits[] = {{"esc", "escape"},        {"return", "enter"},      {"mouse", "pointer"},
-                                                               {"mouse_left", "pointer"}, {"lmb", "pointer"},       {"click", "pointer"},
-                                                               {"mouse_right", "pointer_right"}, {"rmb", "pointer_right"}, {"lshift", "left_shift"}};
-  for (const auto& [word, name] : habits)
-    if (wrong == word) return std::string("; did you mean '") + name + "'?";
-  if (const std::string near = did_you_mean(wrong, names); !near.empty()) return near;
-  if (wrong.size() >= 3)
-    for (const std::string& name : names)
-      if (name.find(wrong) != std::string::npos) return "; did you mean '" + name + "'?";
-  return "; docs/api/input.md lists the names";
-}
-
-const std::string& known(Script& s, const std::string& name, const char* call) {
-  const InputMap& input = s.live_engine().input;
-  if (!input.knows(name)) fail(call, ": unknown name '", name, "'", key_hint(name, input.known_names()));
-  return name;
-}
-bool is_down(Script& s, std::string name) { return s.live_engine().input.is_down(known(s, name, "input.is_down")); }
-bool was_pressed(Script& s, std::string name) { return s.live_engine().input.was_pressed(known(s, name, "input.was_pressed")); }
-bool was_released(Script& s, std::string name) { return s.live_engine().input.was_released(known(s, name, "input.was_released")); }
-double value(Script& s, std::string name) { return s.live_engine().input.value(known(s, name, "input.value")); }
-double axis(Script& s, std::string low, std::string high) {
-  return s.live_engine().input.value(known(s, high, "input.axis")) - s.live_engine().input.value(known(s, low, "input.axis"));
-}
-struct BindOptions { bool save = false; };
-void describe(BindOptions& options, Schema& s) {
-  s.name("bind options", "How input.bind binds.");
-  s.add("save", options.save, "Also in later runs of the game?");
-}
-void bind(Script& s, std::string action, Value names, std::optional<Value> given) {
-  std::vector<std::string> list;
-  assign(type_of<std::vector<std::string>>(), &list, names, "input.bind");
-  for (const std::string& name : list)
-    if (!is_raw_input_name(name)) fail("input.bind: no key or button '", name, "'", did_you_mean(name, raw_input_names()));
-  BindOptions options;
-  if (given) assign(options, *given, "input.bind");
-  s.live_engine().input.bind(action, list);
-  if (options.save) s.storage.save_binding(action, list);
-}
-std::vector<std::string> bindings(Script& s, std::string action) {
-  const auto& actions = s.live_engine().input.actions();
-  const auto found = actions.find(action);
-  std::vector<std::string> all;
-  for (const auto& entry : actions) all.push_back(entry.first);
-  if (found == actions.end()) fail("input.bindings: no action '", action, "' in game.json", did_you_mean(action, all));
-  return found->second;
-}
-// For one action, or for all.
-void reset_bindings(Script& s, std::optional<std::string> action) {
-  const auto& first = s.live_engine().settings.actions;
-  std::vector<std::string> all;
-  for (const auto& entry : first) all.push_back(entry.first);
-  if (action && !first.contains(*action)) fail("input.reset_bindings: no action '", *action, "' in game.json", did_you_mean(*action, all));
-  for (const auto& [name, keys] : first) {
-    if (action && *action != name) continue;
-    s.live_engine().input.bind(name, keys);
-    s.storage.forget_binding(name);
-  }
-}
-double wheel(Script& s) { return s.live_engine().input.wheel; }
-Value pointer(Script& s) {
-  const InputMap& input = s.live_engine().input;
-  return Map{{"x", input.pointer_x}, {"y", input.pointer_y}, {"dx", input.pointer_dx}, {"dy", input.pointer_dy}, {"is_over_ui", s.ui().is_over()}};
-}
-
 // ---- log
 void warn(Script& s, std::string text) { s.log(LogLevel::warning, text); }
 void error(Script& s, std::string text) { s.log(LogLevel::error, text); }
@@ -178,22 +109,6 @@ void rows_random(Area& a) {
   a.raw("shuffle", "Mixes a list in place and returns it.", shuffle, {{"list", "list", false}}, "list");
   a.fn<direction>("direction", "A direction, all equally likely; length 1.");
   a.fn<in_sphere>("in_sphere", "A point in a sphere around zero, all equally likely.", "radius");
-}
-
-void rows_input(Area& a) {
-  a.doc += " Actions are named in game.json. Keys are named by their place on an American board. All names of keys, buttons and pads: " +
-           join(raw_input_names()) + ".";
-  a.fn<is_down>("is_down", "Is the key, button or action held?", "name").queries();
-  a.fn<was_pressed>("was_pressed", "Was it pressed in this tick?", "name").queries();
-  a.fn<was_released>("was_released", "Was it let go in this tick?", "name").queries();
-  a.fn<value>("value", "How far it is pressed, 0 to 1.", "name").queries();
-  a.fn<axis>("axis", "-1 to 1: how far the second is pressed minus the first.", "low", "high").queries();
-  a.fn<bind>("bind", "Gives an action other keys, until the game ends; with { save = true } also in its later runs.", "action", "names", "options")
-      .acts().takes(1, "list of string").takes(2, "table");
-  a.fn<reset_bindings>("reset_bindings", "Gives an action the keys of game.json back and forgets what was saved; without an action all of them.", "action").acts();
-  a.fn<bindings>("bindings", "The raw names that an action has.", "action");
-  a.prop<pointer>("pointer", "Where the pointer is in ui units (720 high): x, y, and how it moved: dx, dy; is_over_ui: is it over a widget?").gives("table");
-  a.prop<wheel>("wheel", "Steps of the wheel in this tick, away from you.");
 }
 
 void rows_log(Area& a) {

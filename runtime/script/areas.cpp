@@ -46,6 +46,7 @@ const Entry kEntries[] = {
     {"joint", true, rows_joint, nullptr, "A joint: its options can be read and written live."},
     {"table", true, rows_view, nullptr, "A table inside a component or joint, such as hinge.motor."},
     {"input", false, rows_input, nullptr, "Keys, buttons and the pointer, sampled once a tick."},
+    {"input.pointer", false, rows_pointer, nullptr, "The pointer: a mouse, a pen or a finger."},
     {"time", false, rows_time, nullptr, "The game's clock."},
     {"task", false, rows_task, nullptr, "Things that happen later or go on for a while."},
     {"random", false, rows_random, nullptr, "Random numbers, seeded by the game."},

@@ -27,6 +27,7 @@ void rows_joint_module(Area&);
 void rows_joint(Area&);
 void rows_view(Area&);
 void rows_input(Area&);
+void rows_pointer(Area&);
 void rows_time(Area&);
 void rows_random(Area&);
 void rows_draw(Area&);

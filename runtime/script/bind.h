@@ -74,6 +74,9 @@ struct Area {
 const std::vector<Area*>& all_areas();
 Area& area(const char* name);
 
+// A module that another one holds: "input.pointer".
+void push_inner_module(lua_State* L, const char* name);
+
 // Throws what a row must not do now: "apply_impulse at the top level ... put it in start()".
 void check_permit(Script& script, const Row& row);
 // Runs `body`; tumble::Error and std::exception become Lua errors with the place in the script. The only such border.

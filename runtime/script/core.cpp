@@ -161,6 +161,23 @@ struct CoreApi {
     return id ? *id : NodeId{};
   }
   static int alive(lua_State* L) { return lua_pushboolean(L, script(L).live_.alive(node_at(L, 1))), 1; }
+  // Is it an object of the engine, or a part of one, that is no more?
+  static int is_gone(lua_State* L) {
+    const Tag tag = tag_at(L, 1);
+    Reference root{Reference::Kind::node, 0, 0};
+    if (const NodeId* id = object_at<NodeId>(L, 1, Tag::node)) root = {Reference::Kind::node, id->index, id->generation};
+    else if (const JointRef* id = object_at<JointRef>(L, 1, Tag::joint)) root = {Reference::Kind::joint, id->index, id->generation};
+    else if (const ViewData* view = object_at<ViewData>(L, 1, Tag::view)) root = view->root;
+    else if (tag >= Tag::body && tag < Tag::view) {
+      const NodeId node = object_at<ComponentData>(L, 1, tag)->node;
+      root = {Reference::Kind::node, node.index, node.generation};
+    } else {
+      return lua_pushboolean(L, false), 1;
+    }
+    Engine& engine = script(L).live_;
+    const bool there = root.kind == Reference::Kind::node ? engine.alive({root.index, root.generation}) : engine.joint({root.index, root.generation}) != nullptr;
+    return lua_pushboolean(L, !there), 1;
+  }
   static int node_enabled(lua_State* L) {
     Script& s = script(L);
     const NodeId id = node_at(L, 1);
@@ -281,6 +298,8 @@ struct CoreApi {
     return 1;
   }
 
+  static int listen(lua_State* L) { return script(L).live_.input.listen(), 0; }
+
   // ---- bots and tests
   static int bot_ticks(lua_State* L) { return lua_pushinteger(L, script(L).bot_ticks_), 1; }
   // The raw name behind an action, so that bots press what a person would.
@@ -339,14 +358,12 @@ void push_core(lua_State* L) {
       {"entry", CoreApi::entry}, {"compile", CoreApi::compile}, {"set_file", CoreApi::set_file}, {"function_text", CoreApi::function_text},
       {"begin_staging", CoreApi::begin_staging}, {"drop_staging", CoreApi::drop_staging}, {"commit", CoreApi::commit},
       {"check_declarations", CoreApi::check_declarations}, {"begin_late", CoreApi::begin_late}, {"end_late", CoreApi::end_late},
-      {"declared_nodes", CoreApi::declared_nodes}, {"node_key", CoreApi::node_key}, {"alive", CoreApi::alive},
+      {"declared_nodes", CoreApi::declared_nodes}, {"node_key", CoreApi::node_key}, {"alive", CoreApi::alive}, {"is_gone", CoreApi::is_gone},
       {"node_enabled", CoreApi::node_enabled}, {"mark", CoreApi::mark}, {"scripted_nodes", CoreApi::scripted_nodes},
       {"find_node", CoreApi::find_node}, {"take_lists_changed", CoreApi::take_lists_changed}, {"lists_changed", CoreApi::lists_changed},
       {"now", CoreApi::now}, {"tick", CoreApi::tick}, {"tick_seconds", CoreApi::tick_seconds}, {"protected", CoreApi::protected_call},
       {"try", CoreApi::try_call}, {"raise", CoreApi::raise_error}, {"called_from_std", CoreApi::called_from_std}, {"report", CoreApi::report}, {"report_coroutine", CoreApi::report_coroutine},
-      {"traceback", CoreApi::traceback}, {"log", CoreApi::log}, {"permit_act", CoreApi::permit_act}, 
-      
-      
+      {"traceback", CoreApi::traceback}, {"log", CoreApi::log}, {"permit_act", CoreApi::permit_act}, {"listen", CoreApi::listen},
       {"coroutine", CoreApi::coroutine}, {"yield", CoreApi::yield}, {"status", CoreApi::status}, {"resume", boot_resume},
       {"bot_ticks", CoreApi::bot_ticks}, {"raw_name", CoreApi::raw_name}, {"bot_event", CoreApi::bot_event}, {"test_done", CoreApi::test_done},
       {"ui_place", CoreApi::ui_place}, {"ui_is_on_screen", CoreApi::ui_is_on_screen},

@@ -155,7 +155,8 @@ void open_module(lua_State* L, const Area& module, int globals) {
   set_closure(L, "__newindex", module_newindex, module, false);
   lock(L, module.name);
   lua_setmetatable(L, -2);
-  lua_setfield(L, globals, module.name.c_str());
+  if (module.name.find('.') == std::string::npos) lua_setfield(L, globals, module.name.c_str());
+  else lua_rawsetp(L, LUA_REGISTRYINDEX, &module.rows);   // for push_inner_module
 }
 
 int read_only_newindex(lua_State* L) {
@@ -221,6 +222,8 @@ void provide_scripted(lua_State* L, int exports) {
       lua_pop(L, 2);
     }
 }
+
+void push_inner_module(lua_State* L, const char* name) { lua_rawgetp(L, LUA_REGISTRYINDEX, &area(name).rows); }
 
 void open_areas(lua_State* L, int globals) {
   globals = lua_absindex(L, globals);

@@ -64,7 +64,7 @@ void input_events(Area& a) {
   a.event("on_release", "It went up.", {{"name", "string"}});
   a.event("on_pointer_move", "The pointer moved, in ui units.", {{"dx", "number"}, {"dy", "number"}});
   a.event("on_wheel", "The wheel turned, away from you.", {{"steps", "number"}});
-  a.event("on_text", "Text was typed.", {{"text", "string"}});
+  a.event("on_text", "Text was typed, with whatever input method the person uses; it is on only where something has this function.", {{"text", "string"}});
 }
 
 void fill_handlers(Area& a) {
@@ -107,6 +107,7 @@ void fill_bot(Area& a) {
   a.scripted("tap", "Presses it and lets go after some seconds, one tick where none are given.", {name, {"seconds", "number", true}});
   a.scripted("set_axis", "-1 to 1: presses the first name by the negative and the second by the positive part.",
              {{"low", "string"}, {"high", "string"}, {"value", "number"}});
+  a.scripted("type_text", "Types a text, for on_text.", {{"text", "string"}});
   a.scripted("point_at", "Moves the pointer to a place in ui units, or to a node or point of the world as the camera sees it; point_at(x, y, seconds) takes its time.",
              {{"x", "any"}, {"y", "number", true}, {"seconds", "number", true}});
   a.scripted("turn_wheel", "Turns the wheel by so many steps, away from you.", {{"steps", "number"}});

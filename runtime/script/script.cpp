@@ -23,6 +23,7 @@ void describe(ModuleSettings& settings, Schema& s) {
   s.add("physics", settings.physics, "The world's settings.");
   s.add("time_scale", settings.time_scale, "time.scale.");
   s.add("paused", settings.paused, "time.paused.");
+  s.add("pointer_captured", settings.pointer_captured, "input.pointer.captured.");
   s.add("debug_view", settings.debug_view, "physics.debug_view.");
   s.add("ui", settings.ui, "ui.style.");
 }

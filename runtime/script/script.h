@@ -41,9 +41,17 @@ struct ScriptFailure {
   bool in_text = false;   // the text itself is faulty: the code from before runs on
 };
 
+constexpr double kLongestRumble = 10;  // s
+struct Rumble {
+  int pad = 0;               // 1 and up; 0 is all of them
+  double strength = 0;       // 0..1
+  double seconds = 0;
+};
+
 // What a script asks of the program around it.
 struct GameRequests {
   bool finish = false, quit = false, restart = false;
+  std::vector<Rumble> rumbles;   // of this tick
 };
 
 enum class DebugView { none, colliders, joints, boxes, contacts, physics };
@@ -54,6 +62,7 @@ struct ModuleSettings {
   WorldSettings physics;
   double time_scale = 1;
   bool paused = false;
+  bool pointer_captured = false;
   DebugView debug_view = DebugView::none;
   UiStyle ui;
 };
@@ -155,6 +164,7 @@ class Script {
   void send(const std::string& message, const std::vector<Value>& arguments);
   void collect_garbage();                              // once a frame
   void read_report();                                  // fills `report`
+  bool wants_text();                                   // does anything hear on_text?
 
   Ui& ui() { return *ui_; }
   Drawing& tick_drawing() { return tick_drawing_; }

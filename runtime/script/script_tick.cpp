@@ -21,6 +21,11 @@ const char* notice_name(InputNotice::Kind kind) {
 void Script::take_ui_input(std::vector<InputEvent>& events) { ui_->take_input(events, 1 / live_.settings.tick_rate); }
 
 void Script::deliver_input(const std::vector<InputNotice>& notices) {
+  if (const auto heard = live_.input.take_heard()) {
+    if (*heard == "escape") lua_pushnil(L_);
+    else lua_pushlstring(L_, heard->data(), heard->size());
+    call_boot("heard", 1, 0, Phase::run);
+  }
   for (const InputNotice& notice : notices) {
     lua_pushboolean(L_, live_settings_.paused);
     lua_pushstring(L_, notice_name(notice.kind));
@@ -36,6 +41,14 @@ void Script::deliver_input(const std::vector<InputNotice>& notices) {
     }
     call_boot("input", arguments, 0, Phase::run);
   }
+}
+
+bool Script::wants_text() {
+  lua_pushliteral(L_, "on_text");
+  if (!call_boot("handles", 1, 1, Phase::run)) return false;
+  const bool wanted = lua_toboolean(L_, -1);
+  lua_pop(L_, 1);
+  return wanted;
 }
 
 void Script::run_tasks(double) { call_boot("tasks", 0, 0, Phase::run); }

@@ -10,5 +10,5 @@ for _, name in ipairs { "names", "files", "behaviours", "tasks", "handlers", "va
   parts[name] = core.part(name)(parts)
 end
 
-boot.exports = { task = parts.tasks.task, property = parts.behaviours.property }
+boot.exports = { task = parts.tasks.task, property = parts.behaviours.property, input = parts.handlers.input }
 return boot

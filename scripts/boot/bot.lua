@@ -28,6 +28,10 @@ return function(parts)
     core.bot_event("value", low, math.max(0, math.min(1, -value)), 0)
     core.bot_event("value", high, math.max(0, math.min(1, value)), 0)
   end
+  function verbs.type_text(text)
+    if type(text) ~= "string" or not utf8.len(text) then core.raise("type_text: a text in UTF-8 expected, got " .. core.short(text)) end
+    core.bot_event("text", text, 0, 0)
+  end
   function verbs.point_at(x, y, seconds)
     if type(x) ~= "number" then
       local place = core.kind(x) == "node" and x.world_position or core.as_vec3(x)

@@ -236,6 +236,33 @@ return function(parts)
     end
   end
 
+  -- The next press goes to one function alone.
+  local listener
+  handlers.input = {
+    listen = function(fn)
+      core.permit_act("input.listen")
+      if type(fn) ~= "function" then core.raise("input.listen: fn: function expected, got " .. core.short(fn)) end
+      listener = fn
+      core.listen()
+    end,
+  }
+  function boot.heard(name)
+    local fn = listener
+    listener = nil
+    core.protected(fn, name)
+  end
+  -- Functions that have a new text.
+  function handlers.sweep(replaced) listener = replaced[listener] or listener end
+
+  -- Is there a function of that name in main.lua or in a behaviour's class?
+  function boot.handles(name)
+    if main_function(name) then return true end
+    for _, class in ipairs(files.live and files.live.classes or {}) do
+      if rawget(class.methods, name) then return true end
+    end
+    return false
+  end
+
   -- ---- events at one node
   function boot.event(node, name, ...)
     call_slot(node, name, ...)

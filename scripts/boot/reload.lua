@@ -246,6 +246,7 @@ return function(parts)
     files.live = new
     local result = core.commit(false)
     tasks.sweep(state.replaced)
+    handlers.sweep(state.replaced)
     adopt(result)
     behaviours.refresh(state.log)
     mark_slots(new)

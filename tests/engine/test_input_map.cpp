@@ -205,3 +205,51 @@ TEST_CASE("input: a key bound while it is held counts from then on", "[engine]")
   CHECK(map.is_down("use"));
   CHECK(told(map, {release("e")}) == Texts{"-e", "-use"});
 }
+
+TEST_CASE("input: a listener hears the next press, and nobody else does", "[engine]") {
+  InputMap map;
+  map.bind("jump", {"space"});
+  map.sample({press("a")});
+  map.listen();
+
+  CHECK(told(map, {release("a"), press("space"), press("b")}) == Texts{"-a", "+b"});
+  CHECK(map.take_heard() == "space");
+  CHECK_FALSE(map.take_heard());
+  CHECK_FALSE(map.is_down("jump"));
+  CHECK(told(map, {press("space"), release("space")}) == Texts{});
+  CHECK(told(map, {press("space")}) == Texts{"+space", "+jump"});
+}
+
+TEST_CASE("input: a listener hears pads by the name for any pad", "[engine]") {
+  InputMap map;
+  map.listen();
+
+  CHECK(told(map, {press("pad2_a"), press("pad_a")}) == Texts{});
+  CHECK(map.take_heard() == "pad_a");
+  CHECK(told(map, {release("pad2_a"), release("pad_a")}) == Texts{});
+  CHECK(told(map, {press("pad2_a"), press("pad_a")}) == Texts{"+pad2_a", "+pad_a"});
+}
+
+TEST_CASE("input: what a stick tells on its way to a listener stays unheard, what it lets go does not", "[engine]") {
+  InputMap map;
+  map.sample({analog("pad1_left_x-", 0.3)});
+  map.listen();
+
+  map.sample({analog("pad1_left_x-", 0), analog("pad1_left_x+", 0.4), press("pad1_left_x+"), analog("pad1_left_x+", 0.9)});
+
+  CHECK(map.value("pad1_left_x-") == 0);
+  CHECK(map.value("pad_left_x+") == 0);
+  CHECK(map.take_heard() == "pad_left_x+");
+  map.sample({release("pad1_left_x+"), analog("pad1_left_x+", 0.3)});
+  map.sample({analog("pad1_left_x+", 0.4)});
+  CHECK(map.value("pad_left_x+") == 0.4);
+}
+
+TEST_CASE("input: what a listener's key types is no text", "[engine]") {
+  InputMap map;
+  map.listen();
+
+  CHECK(map.sample({press("k"), {InputKind::text, "k"}}).empty());
+  map.take_heard();
+  CHECK(map.sample({{InputKind::text, "k"}}).size() == 1);
+}

@@ -18,4 +18,5 @@ end
 function on_press(name) table.insert(record.presses, "press " .. name) end
 function on_release(name) table.insert(record.presses, "release " .. name) end
 function on_pointer_move(dx, dy) record.moved_x, record.moved_y = dx, dy end
+function on_text(text) record.text = text end
 function on_greet(word, number) table.insert(record.lines, ("main %s %d"):format(word, number)) end

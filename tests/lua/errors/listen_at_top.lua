@@ -1,0 +1,2 @@
+-- expect: input.listen: not at the top level of a file
+input.listen(function(name) print(name) end)
