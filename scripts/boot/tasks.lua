@@ -230,7 +230,6 @@ return function(parts)
       core.raise(("tween: goals and options: tables expected, got %s and %s; write tween(node, 1, { position = p }, { ease = \"out\" })")
         :format(core.short(goals), core.short(options)))
     end
-    local is_node = core.kind(target) == "node"
     local ease = eases[options.ease or "linear"]
     if not ease then
       local near = core.nearest(tostring(options.ease), ease_names)
@@ -251,7 +250,8 @@ return function(parts)
     local begun, rounds, times = core.now() + (options.delay or 0), 0, options.times or 1
     local back = options.back
     return add { due = begun, target = target, fields = fields, tween = function(task)
-      if is_node and not core.alive(target) then task.done = true return end   -- its node was destroyed meanwhile
+      local record = parts.behaviours.records[target]
+      if core.is_gone(target) or record and not record.alive then task.done = true return end
       local t = seconds > 0 and (core.now() - begun) / seconds or 1
       local span = back and 2 or 1
       local ended = t >= span

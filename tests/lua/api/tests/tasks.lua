@@ -197,3 +197,16 @@ test("a task belongs to the behaviour whose handler started it: it is held and e
   expect(record.lines[#record.lines]):equals("it destroyed")
   expect(#record.lines):equals(8)
 end)
+
+test("a tween ends in silence with what it moves: a node, a component, a joint, a part of one, a behaviour", function()
+  local box = scene.add { name = "box", position = vec3(0, 5, 0), mesh = "box", light = "point", body = {}, behaviours = { witness = {} } }
+  local hinge = joint.hinge { a = box, axis = vec3.up, motor = { target_degrees = 10, torque = 1 } }
+  wait(0.1)
+  local tweens = { tween(box, 9, { scale = vec3(2, 2, 2) }), tween(box.light, 9, { brightness = 3 }), tween(box.body, 9, { mass = 3 }),
+    tween(hinge.motor, 9, { torque = 5 }), tween(box.behaviours.witness, 9, { speed = 8 }) }
+  wait(0.1)
+  for _, running in ipairs(tweens) do expect(running.is_done):equals(false) end
+  box:destroy()
+  wait(0.1)
+  for _, ended in ipairs(tweens) do expect(ended.is_done):equals(true) end
+end)
