@@ -43,6 +43,7 @@ const ThirdParty kThirdParty[] = {
     {R"(nlohmann/)", R"(runtime/engine/json\.cpp)", "nlohmann's JSON"},
     {R"(Eigen/)", R"(runtime/(physics|render)/.*)", "Eigen"},
     {R"(zip)", R"(runtime/assets/.*\.cpp)", "libzip"},
+    {R"((vorbis|ogg)/)", R"(runtime/assets/.*\.cpp)", "libvorbis"},
     {R"(stb)", R"(runtime/(assets|render)/.*\.cpp)", "stb"},
     {R"(CLI/)", R"(runtime/cli/.*)", "CLI11"},
 };

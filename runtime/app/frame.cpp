@@ -31,10 +31,16 @@ void Game::tick(std::vector<InputEvent> events) {
   }
   script.flush();
   script.draw_ui();
+  engine_->sounds.tick(dt, script.module_settings().paused);
   script.read_report();
   script.collect_garbage();
   keep_storage();
   ++ticks_;
+}
+
+SoundList Game::heard() const {
+  const ModuleSettings& settings = script_->module_settings();
+  return engine_->sounds.list({settings.sound_volume, settings.sound_groups}, settings.paused);
 }
 
 DrawList Game::draw(double alpha, double dt, double aspect) {

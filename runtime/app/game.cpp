@@ -27,7 +27,8 @@ Game::Game(const std::string& path, const GameHost& host) : host_(host) {
   engine_->log = [this](const LogLine& line) {
     if (hints_.insert(line.text).second) note(line.level, line.text);
   };
-  assets_ = std::make_unique<AssetLibrary>([this](const std::string& file) { return read(file); }, engine_->log);
+  assets_ = std::make_unique<AssetLibrary>([this](const std::string& file) { return read(file); }, engine_->log,
+                                           [this] { return package_->list(""); });
   engine_->assets = assets_.get();
   ScriptHost script_host;
   script_host.read = [this](const std::string& file) { return read(file); };

@@ -42,6 +42,8 @@ class Game {
   void reload(const std::vector<std::string>& changed);
   // The picture of now: alpha 0 shows the last tick, 1 this one. Calls the scripts' frame(dt).
   DrawList draw(double alpha, double dt, double aspect);
+  // What is to be heard now.
+  SoundList heard() const;
 
   void replay(Recording recording);
   Recording recording() const;

@@ -36,8 +36,16 @@ void Runtime::Impl::open_window() {
   renderer = make_gl_renderer(*window);
 }
 
+void Runtime::Impl::open_sound() {
+  if (mixer) return mixer->stop_all();  // of the game before
+  if (!host.options.sound) return;
+  mixer = std::make_unique<Mixer>();
+  audio = Audio::open(*mixer);
+}
+
 void Runtime::Impl::open_game(const Stored& kept) {
   game = std::make_unique<Game>(path, host);
+  open_sound();
   if (next_recording) game->replay(*next_recording);
   game->open_storage(kept);
   open_window();
@@ -75,6 +83,12 @@ void Runtime::Impl::draw(double alpha, double dt) {
   if (!window) return;
   renderer->draw(game->draw(alpha, dt, aspect()), window->width(), window->height());
   ++frames;
+}
+
+void Runtime::Impl::hear() {
+  if (!mixer) return;
+  mixer->update(game->heard());
+  audio->poll();
 }
 
 void Runtime::Impl::handle_keys(const WindowEvents& events) {
@@ -199,6 +213,7 @@ void Runtime::tick(int count) {
     impl_->game->poll_changes();
     impl_->tick_once();
   }
+  impl_->hear();
 }
 
 bool Runtime::frame() {
@@ -229,6 +244,7 @@ bool Runtime::frame() {
   }
   // A paused world stands where it is, not between its last two ticks.
   impl.draw(impl.game->script().module_settings().paused ? 1 : impl.accumulator / h, real);
+  impl.hear();
   impl.window->present();
   return !impl.quit && !impl.game->script().requests.quit;
 }

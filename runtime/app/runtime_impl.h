@@ -9,6 +9,8 @@
 
 #include "app/game.h"
 #include "app/pointer_capture.h"
+#include "platform/audio.h"
+#include "platform/mixer.h"
 #include "platform/window.h"
 #include "render/renderer.h"
 
@@ -22,6 +24,8 @@ struct __attribute__((visibility("hidden"))) Runtime::Impl {
   std::unique_ptr<Window> window;
   std::unique_ptr<Renderer> renderer;
   std::unique_ptr<Game> game;
+  std::unique_ptr<Mixer> mixer;    // null: nothing is heard
+  std::unique_ptr<Audio> audio;
   std::vector<InputEvent> pending;
   std::int64_t frames = 0;
   Clock::time_point last_frame;
@@ -37,9 +41,11 @@ struct __attribute__((visibility("hidden"))) Runtime::Impl {
   double aspect() const { return window ? static_cast<double>(window->width()) / window->height() : 16.0 / 9.0; }
   void open_window();
   void open_game(const Stored& kept = {});   // kept: what it stored before a restart
+  void open_sound();
   void restart();
   void tick_once();
   void draw(double alpha, double dt);
+  void hear();
   void handle_keys(const WindowEvents& events);
   void serve_input(const WindowEvents& events);
 };

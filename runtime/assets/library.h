@@ -1,4 +1,4 @@
-// The pictures and models of one game, decoded once and kept. What is missing or broken is said once, and a stand-in
+// The pictures, models and sounds of one game, decoded once and kept. What is missing or broken is said once, and a stand-in
 // takes its place.
 #pragma once
 
@@ -8,10 +8,13 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "assets/image.h"
 #include "assets/model.h"
 #include "base/log.h"
+#include "base/pcm.h"
 
 namespace tumble {
 
@@ -19,11 +22,15 @@ class AssetLibrary {
  public:
   // Reads a file of the game; nothing where there is none.
   using Read = std::function<std::optional<std::string>(const std::string& path)>;
-  AssetLibrary(Read read, LogSink log);
+  // All files of the game, for the nearest name to a missing one.
+  using List = std::function<std::vector<std::string>()>;
+  AssetLibrary(Read read, LogSink log, List list = {});
 
   // nullptr where the file is missing or cannot be read: draw a stand-in. Stays valid until forget().
   const Image* image(const std::string& path);
   const Model* model(const std::string& path);
+  // Kept by who plays it, also over forget(); null: stay silent.
+  std::shared_ptr<const Pcm> sound(const std::string& path);
   // Another number after each forget(): what a renderer made from the file is old then.
   std::uint64_t version(const std::string& path) const;
   // The file was saved, or is gone.
@@ -35,8 +42,10 @@ class AssetLibrary {
 
   Read read_;
   LogSink log_;
+  List list_;
   std::map<std::string, std::unique_ptr<Image>> images_;   // null: tried in vain
   std::map<std::string, std::unique_ptr<Model>> models_;
+  std::map<std::string, std::unique_ptr<std::shared_ptr<const Pcm>>> sounds_;
   std::map<std::string, std::uint64_t> versions_;
 };
 

@@ -58,7 +58,7 @@ NodeId Engine::add_nodes(const NodeDef& def, NodeId parent, Origin origin, NodeI
   node.light = def.light;
   node.camera = def.camera;
   node.sky = def.sky;
-  node.sound = def.sound;
+  if (def.sound) set_sound(id, def.sound, "sound");
   node.particles = def.particles;
   node.animation = def.animation;
   for (const NodeDef& child : def.children) add_nodes(child, id, origin, {});
@@ -96,6 +96,14 @@ NodeDef Engine::def(NodeId id) const {
   for (const JointRef joint : joints_of(id))
     if (joints_[joint].a == id) def.joints.push_back(joint_entry(joint));
   return def;
+}
+
+void Engine::set_sound(NodeId node, const std::optional<Sound>& sound, const std::string& call) {
+  if (sound) {
+    worded(call, [&] { sounds.check(*sound); });
+    sounds.watch(node);
+  }
+  scene[node].sound = sound;
 }
 
 bool Engine::alive(NodeId node) const {

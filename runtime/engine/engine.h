@@ -17,6 +17,7 @@
 #include "engine/node_def.h"
 #include "engine/random.h"
 #include "engine/settings.h"
+#include "engine/sounds.h"
 #include "physics/world.h"
 #include "scene/scene.h"
 
@@ -58,7 +59,8 @@ class Engine {
   Random random;
   std::uint64_t tick = 0;           // the number of this tick, or of the last one between two; the first is 1
   LogSink log;                      // hints for the author; may be empty
-  AssetLibrary* assets = nullptr;   // models and pictures; outlives the engine; null: none
+  AssetLibrary* assets = nullptr;   // models, pictures and sounds; outlives the engine; null: none
+  Sounds sounds{*this};
 
   // ---- nodes
   // With children, components and joints from the def; behaviours are the caller's. `handle`: reserved, for the top node.
@@ -73,6 +75,7 @@ class Engine {
   void destroy(NodeId node);
   bool alive(NodeId node) const;
   void set_mesh(NodeId node, const std::optional<Shape>& mesh, const std::string& call);  // refits its body
+  void set_sound(NodeId node, const std::optional<Sound>& sound, const std::string& call);
 
   // ---- transforms as scripts write them: right for each kind of body (see mission: "Defaults and meanings")
   void set_position(NodeId node, Vec3 position);

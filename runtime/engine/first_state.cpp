@@ -70,6 +70,7 @@ void Engine::restart_scene() {
   reset_nodes();
   reset_joints();
   if (private_->loaded_root) scene_root = private_->loaded_root;
+  sounds.scene_restarted();
   reframe_own_camera();
   scene.take_touched();  // the bodies were just made where their nodes are
 }
@@ -125,6 +126,7 @@ void Engine::reset_nodes() {
     node.camera = first.def.camera;
     node.sky = first.def.sky;
     node.sound = first.def.sound;
+    if (node.sound) sounds.watch(id);
     node.particles = first.def.particles;
     node.animation = first.def.animation;
   }

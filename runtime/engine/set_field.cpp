@@ -35,7 +35,7 @@ const std::map<std::string, Write, std::less<>>& writes() {
       {"light", [](Engine& e, NodeId n, const NodeDef& d, const std::string&) { e.scene[n].light = d.light; }},
       {"camera", [](Engine& e, NodeId n, const NodeDef& d, const std::string&) { e.scene[n].camera = d.camera; }},
       {"sky", [](Engine& e, NodeId n, const NodeDef& d, const std::string&) { e.scene[n].sky = d.sky; }},
-      {"sound", [](Engine& e, NodeId n, const NodeDef& d, const std::string&) { e.scene[n].sound = d.sound; }},
+      {"sound", [](Engine& e, NodeId n, const NodeDef& d, const std::string& call) { e.set_sound(n, d.sound, call); }},
       {"particles", [](Engine& e, NodeId n, const NodeDef& d, const std::string&) { e.scene[n].particles = d.particles; }},
       {"animation", [](Engine& e, NodeId n, const NodeDef& d, const std::string&) { e.scene[n].animation = d.animation; }},
       {"body", [](Engine& e, NodeId n, const NodeDef& d, const std::string& call) { e.set_body(n, d.body, call); }},

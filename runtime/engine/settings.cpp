@@ -27,6 +27,11 @@ void describe(WindowSettings& window, Schema& s) {
   s.add("fullscreen", window.fullscreen, "Start in full screen?");
 }
 
+void describe(SoundSettings& sound, Schema& s) {
+  s.name("sound_settings", "What is to be known of sounds before any plays.");
+  s.add("groups", sound.groups, "Groups of sounds with a volume of their own, beside \"effects\" and \"music\": [\"voices\"].");
+}
+
 void describe(GameSettings& settings, Schema& s) {
   s.name("game", "game.json: what a game says of itself before its scripts run.");
   s.add("title", settings.title, "Stands in the window's title.");
@@ -37,6 +42,7 @@ void describe(GameSettings& settings, Schema& s) {
   s.add("tick_rate", settings.tick_rate, "Ticks of game logic and physics in a second, Hz.").between(10, 1000);
   s.add("window", settings.window, "The window.");
   s.add("physics", settings.physics, "The physical world; the same keys as the module's.");
+  s.add("sound", settings.sound, "Groups of sounds.");
   s.add("actions", settings.actions,
         "Names for input, each with the raw names that trigger it: \"jump\": [\"space\", \"pad_a\"].");
   s.check<GameSettings>(check_settings);

@@ -16,12 +16,18 @@ struct WindowSettings {
 };
 void describe(WindowSettings& window, Schema& s);
 
+struct SoundSettings {
+  std::vector<std::string> groups;       // beside "effects" and "music"
+};
+void describe(SoundSettings& sound, Schema& s);
+
 struct GameSettings {
   std::string title = "Tumble", version, author, icon;
   std::string start_scene;               // path without ending; "" is an empty scene
   double tick_rate = 60;                 // Hz
   WindowSettings window;
   WorldSettings physics;
+  SoundSettings sound;
   std::map<std::string, std::vector<std::string>> actions;  // name -> raw names
 };
 void describe(GameSettings& settings, Schema& s);

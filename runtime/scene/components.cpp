@@ -64,9 +64,9 @@ void describe(Sound& sound, Schema& s) {
   s.add("file", sound.file, "A WAV or OGG file.");
   s.add("volume", sound.volume, "1 is as recorded.").between(0, 4);
   s.add("pitch", sound.pitch, "2 is an octave higher and half as long.").between(0.1, 10);
-  s.add("range", sound.range, "From so far away it cannot be heard, m.").above(0);
+  s.add("range", sound.range, "From so far away it cannot be heard, m; up to an eighth of it, it is heard in full.").above(0).allow_infinite();
   s.add("loop", sound.loop, "Does it begin again at its end?");
-  s.add("playing", sound.playing, "Is it to be heard?");
+  s.add("playing", sound.playing, "Does it play? Without loop it becomes false at the file's end.");
   s.add("group", sound.group, "Whose volume it goes by: sound.groups.");
 }
 

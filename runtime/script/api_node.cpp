@@ -240,7 +240,6 @@ void rows_mesh(Area&) {}
 void rows_material(Area&) {}
 void rows_light(Area&) {}
 void rows_sky(Area&) {}
-void rows_sound(Area&) {}
 void rows_particles(Area&) {}
 void rows_animation(Area&) {}
 void rows_camera(Area& a) {

@@ -15,7 +15,10 @@ void rows_mesh(Area&);
 void rows_material(Area&);
 void rows_light(Area&);
 void rows_sky(Area&);
+void rows_sound_module(Area&);
 void rows_sound(Area&);        // the component, node.sound
+void rows_voice(Area&);
+void rows_sound_groups(Area&);
 void rows_particles(Area&);
 void rows_animation(Area&);
 void rows_camera(Area&);

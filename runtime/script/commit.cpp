@@ -43,8 +43,7 @@ void erase_key(Value& value, const std::string& key) {
 
 void Script::begin_staging() {
   staging_ = std::make_unique<Engine>(live_.settings, false);
-  staging_settings_ = {};
-  staging_settings_.physics = game_physics_;
+  staging_settings_ = first_settings_;
   staged_ = {};
   key_counts_.clear();
   refused_ = false;
@@ -181,9 +180,7 @@ void Script::commit_joints(bool partial, CommitResult& result) {
 }
 
 void Script::commit_settings(CommitResult& result) {
-  ModuleSettings defaults;
-  defaults.physics = game_physics_;
-  const Value before = declared_.settings.is_nil() ? to_value(defaults) : declared_.settings;
+  const Value before = declared_.settings.is_nil() ? to_value(first_settings_) : declared_.settings;
   std::vector<std::pair<std::string, Value>> changes;
   differences("", before, staged_.settings, changes);
   if (changes.empty()) return;

@@ -13,7 +13,7 @@
 namespace tumble {
 
 enum class Tag : std::uint32_t {
-  vec3 = 0x7b1e0000, quat, color, node, joint, body, mesh, material, light, camera, sky, sound, particles, animation, view, children, hit, filter, property, end
+  vec3 = 0x7b1e0000, quat, color, node, joint, body, mesh, material, light, camera, sky, sound, particles, animation, view, children, hit, filter, property, voice, sound_groups, end
 };
 constexpr int kTags = static_cast<int>(Tag::end) - static_cast<int>(Tag::vec3);
 constexpr int tag_index(Tag tag) { return static_cast<int>(tag) - static_cast<int>(Tag::vec3); }
@@ -29,6 +29,11 @@ struct Object {
 std::uint32_t next_object_serial(lua_State* L);
 // A node's component, or the list of its children.
 struct ComponentData { NodeId node; };
+// A sound that a script plays: its number, and what was written last, which can be read when it is over too.
+struct VoiceData {
+  std::uint64_t id = 0;
+  double volume = 1, pitch = 1;
+};
 // A table inside a component or joint ("motor" of a hinge): where it hangs; the path is user value 1.
 struct ViewData { Reference root; };
 

@@ -26,10 +26,14 @@ void describe(ModuleSettings& settings, Schema& s) {
   s.add("pointer_captured", settings.pointer_captured, "input.pointer.captured.");
   s.add("debug_view", settings.debug_view, "physics.debug_view.");
   s.add("ui", settings.ui, "ui.style.");
+  s.add("sound_volume", settings.sound_volume, "sound.volume.");
+  s.add("sound_groups", settings.sound_groups, "sound.groups.");
 }
 
 Script::Script(Engine& engine, ScriptHost host) : live_(engine), host_(std::move(host)), memory_(host_.memory_limit) {
-  live_settings_.physics = game_physics_ = engine.settings.physics;
+  first_settings_.physics = engine.settings.physics;
+  for (const std::string& group : engine.sounds.groups()) first_settings_.sound_groups[group] = 1;
+  live_settings_ = first_settings_;
   watchdog_ = std::make_unique<Watchdog>(host_.time_limit);
   ui_ = std::make_unique<Ui>();
   open_state();

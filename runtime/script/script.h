@@ -65,6 +65,8 @@ struct ModuleSettings {
   bool pointer_captured = false;
   DebugView debug_view = DebugView::none;
   UiStyle ui;
+  double sound_volume = 1;
+  std::map<std::string, double> sound_groups;   // every group with its volume
 };
 void describe(ModuleSettings& settings, Schema& s);
 
@@ -280,7 +282,7 @@ class Script {
   lua_State* running_ = nullptr;
   std::uint64_t seed_ = 1;
   std::uint32_t next_serial_ = 1;
-  WorldSettings game_physics_;                         // from game.json: what the text's settings start from
+  ModuleSettings first_settings_;                      // from game.json: what the text's settings start from
   bool lists_changed_ = true;
   std::unique_ptr<Engine> staging_;
   std::unique_ptr<World> empty_world_;

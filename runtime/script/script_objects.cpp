@@ -23,7 +23,8 @@ static void push_cached(lua_State* L, const void* slot, std::uint32_t index, std
 
 void Script::push_node(NodeId node) {
   if (!node) return lua_pushnil(running_);
-  push_cached(running_, &live_, node.index, node.generation, Tag::node, 6);
+  constexpr int kComponents = static_cast<int>(Tag::animation) - static_cast<int>(Tag::body) + 1;
+  push_cached(running_, &live_, node.index, node.generation, Tag::node, kComponents + 1);   // and the list of children
 }
 
 void Script::push_joint(JointRef joint) {
@@ -33,7 +34,7 @@ void Script::push_joint(JointRef joint) {
 
 void Script::push_component(NodeId node, Tag tag) {
   lua_State* L = running_;
-  const int slot = 1 + static_cast<int>(tag) - static_cast<int>(tag == Tag::children ? Tag::children : Tag::body) + (tag == Tag::children ? 5 : 0);
+  const int slot = (tag == Tag::children ? 2 + static_cast<int>(Tag::animation) : 1 + static_cast<int>(tag)) - static_cast<int>(Tag::body);
   push_node(node);
   if (lua_getiuservalue(L, -1, slot) != LUA_TUSERDATA) {
     lua_pop(L, 1);

@@ -10,7 +10,7 @@ namespace tumble {
 
 const char* tag_name(Tag tag) {
   static const char* const names[] = {"vec3",   "quat",  "color",  "node", "joint",  "body",     "mesh",   "material",
-                                      "light",  "camera", "sky", "sound", "particles", "animation", "table", "list of children", "hit", "filter", "property"};
+                                      "light",  "camera", "sky", "sound", "particles", "animation", "table", "list of children", "hit", "filter", "property", "voice", "sound groups"};
   return tag == Tag::end ? "userdata" : names[tag_index(tag)];
 }
 
@@ -194,6 +194,9 @@ HitRef LuaType<HitRef>::read(Arguments& a) {
   return {hit_at(a.L, a.index++)};
 }
 int LuaType<HitRef>::push(lua_State* L, const HitRef& v) { return push_hit(L, *v.hit), 1; }
+
+VoiceRef LuaType<VoiceRef>::read(Arguments& a) { return {&expect_object<VoiceData>(a, Tag::voice, "voice")}; }
+int LuaType<VoiceRef>::push(lua_State* L, const VoiceRef& v) { return push_object(L, Tag::voice, *v.voice), 1; }
 
 Function LuaType<Function>::read(Arguments& a) {
   ++a.number;

@@ -50,6 +50,7 @@ struct AnyNode { NodeId id; };            // a node, dead or alive
 struct JointArg { JointRef id; };         // a joint that is still there
 struct BodyRef { NodeId node; };          // the body of a living node that has one
 struct ComponentRef { NodeId node; };     // mesh, light, sky ... of a living node
+struct VoiceRef { VoiceData* voice; };    // a sound that plays or has played
 struct HitRef { struct HitData* hit; };
 struct Function { int index = 0; };       // a Lua function on the stack
 struct Rest { int first = 0, count = 0; };// whatever follows
@@ -76,6 +77,7 @@ TUMBLE_LUA_TYPE(AnyNode, "node");
 TUMBLE_LUA_TYPE(JointArg, "joint");
 TUMBLE_LUA_TYPE(BodyRef, "body");
 TUMBLE_LUA_TYPE(ComponentRef, "component");
+TUMBLE_LUA_TYPE(VoiceRef, "voice");
 TUMBLE_LUA_TYPE(HitRef, "hit");
 TUMBLE_LUA_TYPE(Function, "function");
 TUMBLE_LUA_TYPE(Rest, "...");

@@ -10,9 +10,10 @@ namespace tumble {
 int index_described(lua_State* L, const Area& area);
 int newindex_described(lua_State* L, const Area& area);
 
-// Arithmetic, equality and length of vec3, quat and color; `#node.children` and its entries; freeing of hits.
+// Arithmetic, equality and length of vec3, quat and color; `#node.children` and its entries; sound.groups; freeing of hits.
 void open_value_operators(lua_State* L);
 void open_children(lua_State* L);
+void open_sound_groups(lua_State* L);
 void open_hit_collection(lua_State* L);
 
 }  // namespace tumble

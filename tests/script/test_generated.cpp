@@ -52,7 +52,7 @@ const std::map<std::string, std::string> kSamples = {
     {"node", "ball"},         {"mesh", "ball.mesh"},  {"material", "ball.material"}, {"light", "lamp.light"},    {"camera", "eye.camera"},
     {"sky", "lamp.sky"},      {"sound", "lamp.sound"}, {"particles", "lamp.particles"}, {"animation", "lamp.animation"},
     {"body", "ball.body"},    {"joint", "hinge"},     {"vec3", "vec3.up"},           {"quat", "quat.identity"},  {"color", "ball.color"},
-    {"hit", "last_hit"},      {"task", "a_task"},     {"behaviour", "behaviour_of_ball"}};
+    {"hit", "last_hit"},      {"task", "a_task"},     {"behaviour", "behaviour_of_ball"}, {"voice", "a_voice"}};
 
 const char* const kGame = R"(
 local floor = scene.add { name = "floor", mesh = { shape = "box", size = vec3(9, 1, 9) }, body = "static" }
@@ -62,7 +62,7 @@ local lamp = scene.add { name = "lamp", light = "sun", sky = {}, sound = {}, par
 local eye = scene.add { name = "eye", position = vec3(0, 2, 9), camera = {} }
 local hinge = joint.hinge { name = "hinge", a = rod }
 local slider = joint.slider { name = "slider", a = ball }
-local last_hit, a_task, behaviour_of_ball
+local last_hit, a_task, behaviour_of_ball, a_voice
 
 local function check(name, kind, get)
   local ok, value = pcall(get)
@@ -75,6 +75,7 @@ function update()
   last_hit = physics.raycast(vec3(0, 9, 0), vec3.down, 20)
   a_task = task.after(9, function() end)
   behaviour_of_ball = ball.behaviours.thing
+  a_voice = sound.play("none.wav")
 )";
 
 std::string line(const std::string& expression, const std::string& kind) {

@@ -47,6 +47,7 @@ void TestGame::tick(int count, std::vector<InputEvent> events) {
     }
     script->flush();
     script->draw_ui();
+    engine->sounds.tick(dt, script->module_settings().paused);
     script->read_report();
     script->collect_garbage();
   }

@@ -55,7 +55,7 @@ int pack_game(Pack order) {
   prove(order);
   pack(order.game, program.string(), own_program().string());
   pack(order.game, package.string());
-  std::cout << "'" << program.string() << "' (" << size_text(program) << ") runs by itself on a Linux with SDL2 and libzip (libsdl2-2.0-0, libzip4); '" << package.string() << "' (" << size_text(package)
+  std::cout << "'" << program.string() << "' (" << size_text(program) << ") runs by itself on a Linux with SDL2, libzip and libvorbis (libsdl2-2.0-0, libzip4, libvorbisfile3); '" << package.string() << "' (" << size_text(package)
             << ") is opened by play. A copy was run for 60 ticks.\n";
   return 0;
 }

@@ -18,7 +18,7 @@ namespace {
 
 struct Play {
   std::string game;
-  bool headless = false, bot = false, gles = false, fullscreen = false, no_watch = false;
+  bool headless = false, bot = false, gles = false, fullscreen = false, no_watch = false, mute = false;
   std::int64_t ticks = 0;  // 0: not given
   std::uint64_t seed = 1;
   std::string shot, record, replay, save_replay, report, size;
@@ -86,6 +86,7 @@ int play_window(const Play& play) {
   Options options = options_of(play);
   options.window = true;
   options.watch = !play.no_watch;
+  options.sound = !play.mute;
   Runtime runtime(options);
   load(runtime, play);
   while (runtime.frame()) {}
@@ -174,6 +175,7 @@ void add_options(CLI::App& verb, Play& play) {
   verb.add_flag("--gles", play.gles, "Draw with OpenGL ES 3.0");
   verb.add_option("--size", play.size, "Size of the window or picture in pixels")->type_name("WxH");
   verb.add_flag("--fullscreen", play.fullscreen, "Start in full screen");
+  verb.add_flag("--mute", play.mute, "Play without sound");
   verb.add_flag("--no-watch", play.no_watch, "Do not take over saved files");
 }
 

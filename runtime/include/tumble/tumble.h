@@ -87,7 +87,7 @@ struct Options {
   bool offscreen = false;      // draw pictures without a display
   bool watch = false;          // run the text again at every save (folders only)
   bool bot = false;            // let the game's bot.lua play
-  bool sound = false;
+  bool sound = false;          // let the game be heard; where there is no device it is silent
   std::uint64_t seed = 1;      // of the game's random numbers
   int width = 0, height = 0;   // of the window or picture in pixels; 0 takes the game's own
   bool fullscreen = false;

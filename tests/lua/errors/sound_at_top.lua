@@ -1,0 +1,2 @@
+-- expect: sound.play: not at the top level of a file, which runs again at every save; put it in start()
+sound.play("boom.wav")

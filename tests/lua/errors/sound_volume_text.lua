@@ -1,0 +1,2 @@
+-- expect: sound.volume: number expected, got "loud"
+sound.volume = "loud"
