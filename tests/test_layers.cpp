@@ -44,6 +44,7 @@ const ThirdParty kThirdParty[] = {
     {R"(Eigen/)", R"(runtime/(physics|render)/.*)", "Eigen"},
     {R"(zip)", R"(runtime/assets/.*\.cpp)", "libzip"},
     {R"((vorbis|ogg)/)", R"(runtime/assets/.*\.cpp)", "libvorbis"},
+    {R"(tiny_gltf)", R"(runtime/assets/gltf.*\.cpp)", "tinygltf"},
     {R"(stb)", R"(runtime/(assets|render)/.*\.cpp)", "stb"},
     {R"(CLI/)", R"(runtime/cli/.*)", "CLI11"},
 };

@@ -27,6 +27,7 @@ void Game::tick(std::vector<InputEvent> events) {
     script.update(dt);
     engine_->step(dt);
     script.physics_events(engine_->take_events());
+    script.animation_events(engine_->take_animation_ends());
     script.late_update(dt);
   }
   script.flush();

@@ -4,6 +4,7 @@
 
 #include "app/error_screen.h"
 #include "assets/game_path.h"
+#include "base/text.h"
 #include "platform/files.h"
 
 namespace tumble {
@@ -27,8 +28,9 @@ Game::Game(const std::string& path, const GameHost& host) : host_(host) {
   engine_->log = [this](const LogLine& line) {
     if (hints_.insert(line.text).second) note(line.level, line.text);
   };
-  assets_ = std::make_unique<AssetLibrary>([this](const std::string& file) { return read(file); }, engine_->log,
-                                           [this] { return package_->list(""); });
+  // The library says each thing once itself, and again when a file was saved and is still faulty.
+  assets_ = std::make_unique<AssetLibrary>([this](const std::string& file) { return read(file); },
+                                           [this](const LogLine& line) { note(line.level, line.text); }, [this] { return package_->list(); });
   engine_->assets = assets_.get();
   ScriptHost script_host;
   script_host.read = [this](const std::string& file) { return read(file); };
@@ -96,9 +98,13 @@ void Game::poll_changes() {
 
 void Game::reload(const std::vector<std::string>& changed) {
   if (std::find(changed.begin(), changed.end(), "game.json") != changed.end()) note(LogLevel::note, "game.json changed: F5 takes it");
-  for (const std::string& file : changed) assets_->forget(file);
+  std::vector<std::string> read_again;
+  for (const std::string& file : changed)
+    for (const std::string& old : assets_->forget(file)) read_again.push_back(old);
+  if (!read_again.empty()) engine_->files_changed(read_again);
   const std::string text = script_->reload(changed);
   if (!text.empty()) note(LogLevel::note, text);
+  else if (!read_again.empty()) note(LogLevel::note, "reloaded " + join(read_again));
 }
 
 // ---- recording

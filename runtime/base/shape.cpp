@@ -20,6 +20,16 @@ void describe(Shape& shape, Schema& s) {
   s.add("thickness", shape.thickness, "Of a torus: the diameter of its tube, m.").above(0);
   s.add("file", shape.file, "The model of a mesh or hull, or the picture of a height field.");
   s.add("points", shape.points, "Corner points of a hull, m.");
+  s.check<Shape>([](const Shape& given) {
+    const ShapeKind kind = given.shape;
+    if (given.file.empty() || kind == ShapeKind::box || kind == ShapeKind::hull || kind == ShapeKind::mesh || kind == ShapeKind::height_field) return;
+    fail("file belongs to a mesh, a hull or a height_field (got shape '", enum_names(kind)[static_cast<std::size_t>(kind)], "'); leave one of the two out");
+  });
+}
+
+Shape settled(Shape shape) {
+  if (!shape.file.empty() && shape.shape == ShapeKind::box) shape.shape = ShapeKind::mesh;
+  return shape;
 }
 
 Shape scaled(const Shape& shape, Vec3 scale) {
@@ -50,6 +60,10 @@ Vec3 half_extents(const Shape& shape) {
       return {out, shape.thickness / 2, out};
     }
     case ShapeKind::plane: return {shape.size.x / 2, 0, shape.size.z / 2};
+    case ShapeKind::mesh:
+    case ShapeKind::height_field:
+      if (shape.points.empty()) return shape.size / 2;
+      [[fallthrough]];
     case ShapeKind::hull: {
       Vec3 half;
       for (const Vec3& p : shape.points)

@@ -2,7 +2,7 @@
 #
 #   tumble::lua tumble::bullet    our own builds (build.sh), or the system's where those cannot be had
 #   tumble::sdl2 tumble::zip tumble::vorbis      shared libraries of the system
-#   tumble::eigen tumble::json tumble::stb tumble::cli11 tumble::catch2    headers only
+#   tumble::eigen tumble::json tumble::stb tumble::tinygltf tumble::cli11 tumble::catch2    headers only
 #
 # CMake's own finders are not used: FindLua picks the C build, FindBullet the float one, libzip's wants zipcmp.
 
@@ -74,6 +74,8 @@ function(tumble_headers name header)
 endfunction()
 
 tumble_headers(stb stb_image.h stb)
+# Our own build of its header: the system's library of it draws in a copy of the picture reader.
+tumble_headers(tinygltf tiny_gltf.h)
 tumble_headers(cli11 CLI/CLI.hpp)
 
 # Tests are written for version 2, one header, and a file that defines CATCH_CONFIG_MAIN. Version 3 is a library with its

@@ -58,7 +58,8 @@ BodyDef Engine::body_def(NodeId node) const {
 // As the world gets it; throws where that is not possible, before anything is changed.
 BodyDef Engine::physical(NodeId node, const BodyDef& def, const std::string& call) const {
   check_groups(def, settings.physics.groups, call);
-  BodyDef physical = fitted(def, scene[node].mesh, scene.world(node).scale, call);
+  BodyDef physical;
+  worded(call, [&] { physical = fitted(def, scene[node].mesh, scene.world(node).scale, [this](const Shape& shape) { return with_points(shape); }, call); });
   if (!with_world_ && std::any_of(physical.colliders.begin(), physical.colliders.end(), is_made_of_points))
     worded(call, [&] { World(settings.physics).add(physical, {}, 0); });
   return physical;
@@ -129,7 +130,8 @@ void Engine::refit_body(NodeId node) {
 }
 
 void Engine::set_mesh(NodeId node, const std::optional<Shape>& mesh, const std::string& call) {
-  const std::optional<Shape> before = std::exchange(scene[node].mesh, mesh);
+  const std::optional<Shape> before = std::exchange(scene[node].mesh, mesh ? std::optional(settled(*mesh)) : mesh);
+  ask_for_files(node);
   const BodyComponent* component = body(node);
   if (!component || !component->def.colliders.empty() || component->def.fit == Fit::node) return;
   try {

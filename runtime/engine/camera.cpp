@@ -23,14 +23,19 @@ Vec3 turned_half(Quat rotation, Vec3 half) {
   return positive(rotation * Vec3{half.x, 0, 0}) + positive(rotation * Vec3{0, half.y, 0}) + positive(rotation * Vec3{0, 0, half.z});
 }
 
-void add_meshes(const Scene& scene, NodeId id, Bounds& bounds) {
+// A built-in shape lies around its node; a model where its file says.
+void add_mesh(const Shape& mesh, const Transform& place, AssetLibrary* assets, Bounds& bounds) {
+  const Model* model = assets && mesh.shape == ShapeKind::mesh ? assets->model(mesh.file) : nullptr;
+  const Vec3 center = model ? (model->low + model->high) / 2 : Vec3{};
+  const Vec3 half = model ? (model->high - model->low) / 2 : half_extents(mesh);
+  bounds.add(to_parent(place, center), turned_half(place.rotation, scaled(half, place.scale)));
+}
+
+void add_meshes(const Scene& scene, NodeId id, AssetLibrary* assets, Bounds& bounds) {
   const SceneNode& node = scene[id];
   if (!node.visible || !node.enabled) return;
-  if (node.mesh) {
-    const Transform& place = scene.world(id);
-    bounds.add(place.position, turned_half(place.rotation, scaled(half_extents(*node.mesh), place.scale)));
-  }
-  for (const NodeId child : node.children) add_meshes(scene, child, bounds);
+  if (node.mesh) add_mesh(*node.mesh, scene.world(id), assets, bounds);
+  for (const NodeId child : node.children) add_meshes(scene, child, assets, bounds);
 }
 
 NodeId first_active_camera(const Scene& scene, NodeId id, NodeId except) {
@@ -44,9 +49,9 @@ NodeId first_active_camera(const Scene& scene, NodeId id, NodeId except) {
 
 }  // namespace
 
-CameraView framing(const Scene& scene) {
+CameraView framing(const Scene& scene, AssetLibrary* assets) {
   Bounds bounds;
-  add_meshes(scene, scene.root(), bounds);
+  add_meshes(scene, scene.root(), assets, bounds);
   if (bounds.empty()) bounds.add({}, {2, 2, 2});
   const Vec3 center = (bounds.low + bounds.high) / 2;
   const double radius = std::max(length(bounds.high - center), 0.5);
@@ -78,7 +83,7 @@ NodeId Engine::camera() {
 void Engine::reframe_own_camera() {
   const NodeId own = private_->own_camera;
   if (!alive(own)) return;
-  const CameraView view = framing(scene);
+  const CameraView view = framing(scene, assets);
   scene.jump(own, {view.pose.position, view.pose.rotation, {1, 1, 1}});
   scene[own].camera->far = view.far;
 }

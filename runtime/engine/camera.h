@@ -1,6 +1,7 @@
 // Where a camera stands that sees everything.
 #pragma once
 
+#include "assets/library.h"
 #include "scene/scene.h"
 
 namespace tumble {
@@ -12,6 +13,6 @@ struct CameraView {
 };
 
 // In front (towards +z) of all visible meshes and a little above them, with a sphere around them in view.
-CameraView framing(const Scene& scene);
+CameraView framing(const Scene& scene, AssetLibrary* assets);
 
 }  // namespace tumble

@@ -6,10 +6,11 @@ namespace tumble {
 
 namespace {
 
-void refuse_files(const Shape& shape, const std::string& call) {
-  if (!shape.file.empty())
-    fail(call, ": a collider cannot be made from a file yet (", enum_names(shape.shape)[static_cast<std::size_t>(shape.shape)], " '",
-         shape.file, "'); give body = { colliders = { shape = \"box\", size = ... } } or another simple shape");
+// Triangles have no inside, so that they could neither fall nor hold anything.
+void refuse_moving_triangles(const Shape& shape, BodyType type, const std::string& call) {
+  if (shape.file.empty() || shape.shape == ShapeKind::hull || type != BodyType::dynamic) return;
+  fail(call, ": a ", enum_names(shape.shape)[static_cast<std::size_t>(shape.shape)], " from a file ('", shape.file,
+       "') cannot be the collider of a dynamic body; give body = \"static\", or colliders = { shape = \"hull\", file = \"", shape.file, "\" }");
 }
 
 ColliderDef stretched(const ColliderDef& collider, Vec3 scale) {
@@ -26,17 +27,20 @@ ColliderDef fitted_collider(const BodyDef& def, const std::optional<Shape>& mesh
   if (def.fit == Fit::node) return collider;  // the default shape, a box of 1 m
   if (!mesh)
     fail(call, ": body needs a mesh or colliders: give the node mesh = \"box\", or body = { colliders = { shape = \"box\" } }");
-  collider.shape = *mesh;
+  collider.shape = settled(*mesh);
+  if (collider.shape.shape == ShapeKind::mesh && (def.type == BodyType::dynamic || def.trigger)) collider.shape.shape = ShapeKind::hull;
   return collider;
 }
 
 }  // namespace
 
-BodyDef fitted(const BodyDef& def, const std::optional<Shape>& mesh, Vec3 scale, const std::string& call) {
+BodyDef fitted(const BodyDef& def, const std::optional<Shape>& mesh, Vec3 scale, const WithPoints& with_points, const std::string& call) {
   BodyDef result = def;
   if (def.colliders.empty()) result.colliders.push_back(fitted_collider(def, mesh, call));
   for (ColliderDef& collider : result.colliders) {
-    refuse_files(collider.shape, call);
+    collider.shape = settled(collider.shape);
+    refuse_moving_triangles(collider.shape, def.type, call);
+    collider.shape = with_points(collider.shape);
     collider = stretched(collider, scale);
   }
   if (def.center_of_mass) result.center_of_mass = scaled(*def.center_of_mass, scale);

@@ -52,7 +52,7 @@ NodeId Engine::add_nodes(const NodeDef& def, NodeId parent, Origin origin, NodeI
   node.visible = def.visible;
   node.enabled = def.enabled;
   node.origin = origin;
-  node.mesh = def.mesh;
+  if (def.mesh) node.mesh = settled(*def.mesh);
   node.material = def.material;
   if (def.color) (node.material ? *node.material : node.material.emplace()).color = *def.color;
   node.light = def.light;
@@ -61,6 +61,8 @@ NodeId Engine::add_nodes(const NodeDef& def, NodeId parent, Origin origin, NodeI
   if (def.sound) set_sound(id, def.sound, "sound");
   node.particles = def.particles;
   node.animation = def.animation;
+  ask_for_files(id);
+  list_animation(id);
   for (const NodeDef& child : def.children) add_nodes(child, id, origin, {});
   return id;
 }
@@ -178,6 +180,7 @@ std::uint64_t Engine::hash() const {
   scene.each(scene.root(), [&](NodeId, const SceneNode& node) {
     hash.add(node.name).add(node.id).add(node.local.position).add(node.local.rotation).add(node.local.scale);
     hash.add(std::uint64_t{node.enabled});
+    if (node.animation) hash.add(node.animation->clip).add(node.animation->time).add(std::uint64_t{node.animation->playing});
   });
   joints_.each([&](JointRef, const JointRecord& joint) { hash.add(joint.serial).add(std::uint64_t{joint.broken}); });
   hash.add(world_ ? world_->hash() : 0);

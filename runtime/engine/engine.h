@@ -48,6 +48,12 @@ struct JointRecord {
 };
 using JointRef = Handle<JointRecord>;
 
+// A clip that does not loop came to its end.
+struct AnimationEnd {
+  NodeId node;
+  std::string clip;
+};
+
 class Engine {
  public:
   explicit Engine(const GameSettings& settings, bool with_world = true);
@@ -115,6 +121,15 @@ class Engine {
   Value joint_entry(JointRef joint) const;
   void each_joint(const std::function<void(JointRef, const JointRecord&)>& f) const;
 
+  // ---- files and animations
+  // With the points of its file, as physics takes it; a box where the file is missing or broken.
+  Shape with_points(const Shape& shape) const;
+  // Asks for them again and fits colliders anew. Call it when the library has forgotten them.
+  void files_changed(const std::vector<std::string>& files);
+  // Where a node's animation is to be drawn, s into its clip: alpha 0 is the last tick, 1 this one.
+  double animation_time(NodeId node, double alpha) const;
+  std::vector<AnimationEnd> take_animation_ends();
+
   // ---- scenes
   // Replaces what was loaded before, at once (call it between ticks). Returns the root node of the loaded scene. What
   // goes is told by finish_removals(). Throws before anything is changed.
@@ -163,6 +178,13 @@ class Engine {
   void refit_body(NodeId node);
   void refresh_enabled(NodeId node);
   void warn_of_nested_bodies(NodeId node) const;
+  // files.cpp
+  void ask_for_files(NodeId node);
+  // animation.cpp
+  void list_animation(NodeId node);
+  void animate(double seconds);
+  void advance_animation(NodeId node, double seconds);
+  void move_animated(NodeId node, const Model& model, const ModelClip& clip, double time, bool jump);
   // sync.cpp
   void write_local(NodeId node, const Transform& local);
   void sync_body(NodeId node);

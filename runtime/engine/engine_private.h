@@ -1,10 +1,13 @@
 // What the engine's own files share: the data behind engine.h.
 #pragma once
 
+#include <limits>
 #include <map>
+#include <set>
 
 #include "base/error.h"
 #include "engine/engine.h"
+#include "engine/shape_files.h"
 
 namespace tumble {
 
@@ -30,6 +33,18 @@ struct Engine::Private {
   NodeId loaded_root;      // also while it is destroyed; none before a load
   NodeId own_camera;       // the one that camera() made
   bool camera_checked = false;
+  ShapeFiles shape_files;
+
+  // What an animation did last: `to` is where its time went from `from`, not yet brought back into the clip.
+  struct Playing {
+    std::string clip;
+    double applied = std::numeric_limits<double>::quiet_NaN();  // time that nodes were moved to
+    double from = 0, to = 0;
+    std::uint64_t tick = 0;
+  };
+  std::map<NodeId, Playing> animations;   // of all nodes that have one, and of some that had
+  std::vector<AnimationEnd> animation_ends;
+  std::set<std::string> said;             // hints about animations
 
   Extra& extra(NodeId node) {
     if (node.index >= extras.size()) extras.resize(node.index + 1);

@@ -64,6 +64,8 @@ void Engine::forget_first_state(JointRef joint) {
 
 void Engine::restart_scene() {
   drop_world();
+  private_->animations.clear();
+  private_->animation_ends.clear();
   dying_.clear();
   revive_nodes();
   remove_added();
@@ -119,7 +121,8 @@ void Engine::reset_nodes() {
     node.tags = first.def.tags;
     node.visible = first.def.visible;
     node.enabled = first.def.enabled;
-    node.mesh = first.def.mesh;
+    node.mesh.reset();
+    if (first.def.mesh) node.mesh = settled(*first.def.mesh);
     node.material = first.def.material;
     if (first.def.color) (node.material ? *node.material : node.material.emplace()).color = *first.def.color;
     node.light = first.def.light;
@@ -129,6 +132,7 @@ void Engine::reset_nodes() {
     if (node.sound) sounds.watch(id);
     node.particles = first.def.particles;
     node.animation = first.def.animation;
+    list_animation(id);
   }
   for (const NodeId node : nodes) scene.sort_children(scene[node].parent);
   for (const NodeId node : nodes)

@@ -1,8 +1,10 @@
 // Writing one field of a node by its name, as reload, the inspector and other tools do.
 
 #include <map>
+#include <utility>
 
 #include "base/text.h"
+#include "engine/animation.h"
 #include "engine/engine_private.h"
 #include "engine/fields.h"
 
@@ -16,6 +18,12 @@ void write_color(Engine& engine, NodeId id, const NodeDef& def, const std::strin
   SceneNode& node = engine.scene[id];
   if (!def.color && !node.material) return;
   (node.material ? *node.material : node.material.emplace()).color = def.color.value_or(Material{}.color);
+}
+
+void write_animation(Engine& engine, NodeId id, const NodeDef& def, const std::string&) {
+  SceneNode& node = engine.scene[id];
+  const std::optional<Animation> before = std::exchange(node.animation, def.animation);
+  if (before && node.animation) restart_clip(engine, node, *before);
 }
 
 // What a field of NodeDef sets; a name that scripts write twice (`rotation_degrees`) comes as the field itself.
@@ -37,7 +45,7 @@ const std::map<std::string, Write, std::less<>>& writes() {
       {"sky", [](Engine& e, NodeId n, const NodeDef& d, const std::string&) { e.scene[n].sky = d.sky; }},
       {"sound", [](Engine& e, NodeId n, const NodeDef& d, const std::string& call) { e.set_sound(n, d.sound, call); }},
       {"particles", [](Engine& e, NodeId n, const NodeDef& d, const std::string&) { e.scene[n].particles = d.particles; }},
-      {"animation", [](Engine& e, NodeId n, const NodeDef& d, const std::string&) { e.scene[n].animation = d.animation; }},
+      {"animation", write_animation},
       {"body", [](Engine& e, NodeId n, const NodeDef& d, const std::string& call) { e.set_body(n, d.body, call); }},
   };
   return table;
@@ -55,6 +63,8 @@ void Engine::set_field(NodeId node, const std::string& path, const Value& value,
   if (write == writes().end())
     fail(call, ": ", head, " of a node that is there already cannot be set as a field; it is read when the node is made");
   write->second(*this, node, def, call);
+  ask_for_files(node);
+  list_animation(node);
 }
 
 }  // namespace tumble

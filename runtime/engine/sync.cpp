@@ -111,6 +111,7 @@ void Engine::note_static_write(NodeId node, BodyComponent& body) const {
 // ---- the step
 
 void Engine::step(double seconds) {
+  animate(seconds);
   if (!world_) return;
   for (const NodeId node : scene.take_touched()) sync_body(node);
   world_->step(seconds);

@@ -231,6 +231,7 @@ void rows_node(Area& a) {
   a.event("on_trigger_stay", "It is still inside.", {{"hit", "hit"}});
   a.event("on_trigger_exit", "It left.", {{"hit", "hit"}});
   a.event("on_joint_break", "A joint of this body broke.", {{"joint", "joint"}});
+  a.event("on_animation_end", "A clip that does not loop came to its end.", {{"clip", "string"}});
   a.event("on_sleep", "The body fell asleep.", {});
   a.event("on_wake", "The body woke.", {});
 }

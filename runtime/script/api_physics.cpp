@@ -267,21 +267,28 @@ Results pick(Script& s, MaybeFilter filter) {
   const auto [from, direction] = camera_ray(view, s.engine().input.pointer_x, s.engine().input.pointer_y, s.aspect);
   return push_maybe_hit(s, need_world(s).raycast(from, direction, view.far, filter.value_or(QueryFilter{})), from, from + direction * view.far);
 }
+// A model counts with all that is inside its hull.
+Shape solid(Script& s, Shape shape) {
+  shape = settled(shape);
+  if (shape.shape == ShapeKind::mesh) shape.shape = ShapeKind::hull;
+  return s.engine().with_points(shape);
+}
+
 Results cast(Script& s, Shape shape, Vec3 origin, Vec3 direction, Length length, MaybeFilter filter) {
   direction = direction_or_fail(direction, "physics.cast");
-  return push_maybe_hit(s, need_world(s).cast(shape, {origin, {}}, direction, length.metres, filter.value_or(QueryFilter{})), origin,
+  return push_maybe_hit(s, need_world(s).cast(solid(s, shape), {origin, {}}, direction, length.metres, filter.value_or(QueryFilter{})), origin,
                         origin + direction * length.metres);
 }
 std::vector<NodeRef> overlap(Script& s, Shape shape, Vec3 position, MaybeFilter filter) {
   std::vector<NodeRef> found;
-  for (const BodyId body : need_world(s).overlap(shape, {position, {}}, filter.value_or(QueryFilter{}))) found.push_back({s.engine().node_of(body)});
+  for (const BodyId body : need_world(s).overlap(solid(s, shape), {position, {}}, filter.value_or(QueryFilter{}))) found.push_back({s.engine().node_of(body)});
   return found;
 }
 Results penetrations(Script& s, Shape shape, Vec3 position, double within, MaybeFilter filter) {
   lua_State* L = s.stack();
   lua_newtable(L);
   lua_Integer n = 0;
-  for (const QueryHit& found : need_world(s).penetrations(shape, {position, {}}, within, filter.value_or(QueryFilter{}))) {
+  for (const QueryHit& found : need_world(s).penetrations(solid(s, shape), {position, {}}, within, filter.value_or(QueryFilter{}))) {
     push_hit(L, query_hit(s, found, position, position));
     lua_rawseti(L, -2, ++n);
   }

@@ -159,6 +159,7 @@ class Script {
   void run_tasks(double dt);
   void update(double dt);
   void physics_events(const Events& events);
+  void animation_events(const std::vector<AnimationEnd>& ends);
   void late_update(double dt);
   void flush();                                        // destroys, scene loads, start() of what is new
   void draw_ui();
@@ -248,7 +249,6 @@ class Script {
   std::map<std::string, Value> behaviours_of(NodeId node);
   NodeDef whole_def(NodeId node);
   // script_scene.cpp
-  void note_files(const NodeDef& def);
   std::string node_key(const std::string& name, const Value& def, const char* kind);
   void attach_behaviours(NodeId node, const Value& behaviours, const std::string& call);
   void open_scene_quietly(const std::string& path);
@@ -308,7 +308,6 @@ class Script {
   double bot_x_ = 640, bot_y_ = 360;
   std::vector<bool> scripted_;                         // by node index: has behaviours or slots
   std::vector<std::pair<NodeId, Value>> loaded_behaviours_;
-  std::set<std::string> noted_files_;
   NodeDef loaded_def_;                                 // the scene file as it was read last
   std::unique_ptr<class Watchdog> watchdog_;
   std::unique_ptr<Ui> ui_;

@@ -43,18 +43,6 @@ std::string Script::node_key(const std::string& name, const Value& def, const ch
   return key + (nth > 1 ? " " + std::to_string(nth) : "");
 }
 
-// Says once of each file that it is missing, or that this kind of file is not drawn yet.
-void Script::note_files(const NodeDef& def) {
-  const auto note = [this](const std::string& what, const std::string& file, const std::string& stand_in) {
-    if (file.empty() || !noted_files_.insert(file).second) return;
-    const std::vector<std::string> files = host_.list("");
-    if (std::find(files.begin(), files.end(), file) == files.end()) log(LogLevel::warning, what + ": no file '" + file + "' in the game" + did_you_mean(file, files) + stand_in);
-    else log(LogLevel::warning, what + ": '" + file + "': files of this kind are not drawn yet" + stand_in);
-  };
-  if (def.mesh) note("mesh", def.mesh->file, "; a pink box stands in");
-  if (def.material) note("material.texture", def.material->texture, "; the plain colour is drawn");
-}
-
 NodeId Script::declare_node(const Value& given, const std::string& call) {
   Value table = with_prefabs(given, host_.read, call);
   const Value parent_value = take(table, "parent");
@@ -63,7 +51,6 @@ NodeId Script::declare_node(const Value& given, const std::string& call) {
   const Value behaviours = take(table, "behaviours");
   NodeDef def;
   assign(def, table, call);
-  note_files(def);
   attach_behaviours({}, behaviours, call);
 
   DeclaredNode declared;
@@ -95,7 +82,6 @@ NodeId Script::add_node(const Value& given, NodeId parent, Origin origin, const 
   const Value behaviours = take(table, "behaviours");
   NodeDef def;
   assign(def, table, call);
-  note_files(def);
   const NodeId node = live_.add(def, parent, origin, call);
   try {
     attach_behaviours(node, behaviours, call);   // before the children's: start() runs parents first

@@ -119,6 +119,10 @@ void Script::physics_events(const Events& events) {
   for (const SleepEvent& sleep : events.sleeps) event(live_.node_of(sleep.body), sleep.asleep ? "on_sleep" : "on_wake", {});
 }
 
+void Script::animation_events(const std::vector<AnimationEnd>& ends) {
+  for (const AnimationEnd& end : ends) event(end.node, "on_animation_end", [&] { lua_pushlstring(L_, end.clip.data(), end.clip.size()); });
+}
+
 void Script::run_bot(std::vector<InputEvent>& events) {
   ++bot_ticks_;
   bot_events_ = &events;

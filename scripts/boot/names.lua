@@ -5,7 +5,7 @@ return function(parts)
 
   names.node_events = {
     "on_collision_enter", "on_collision_stay", "on_collision_exit", "on_trigger_enter", "on_trigger_stay",
-    "on_trigger_exit", "on_joint_break", "on_sleep", "on_wake",
+    "on_trigger_exit", "on_joint_break", "on_animation_end", "on_sleep", "on_wake",
   }
   names.input_events = { "on_press", "on_release", "on_pointer_move", "on_wheel", "on_text" }
   names.file_events = { "on_scene_start", "on_reload" }

@@ -19,6 +19,9 @@ TestGame::TestGame(Files texts, double time_limit, std::uint64_t seed) : files(s
     for (const auto& [path, text] : files) list.push_back(path);
     return list;
   };
+  assets = std::make_unique<AssetLibrary>(host.read, [this](const LogLine& line) { log.push_back(line); }, [list = host.list] { return list(""); });
+  engine->assets = assets.get();
+  engine->log = [this](const LogLine& line) { log.push_back(line); };
   host.write = [this](const std::string& path, const std::string& text) { files[path] = text; };
   host.on_error = [this](const ScriptFailure& failure) { failures.push_back(failure); };
   host.log = [this](const LogLine& line) { log.push_back(line); };
@@ -43,6 +46,7 @@ void TestGame::tick(int count, std::vector<InputEvent> events) {
       script->update(dt);
       engine->step(dt);
       script->physics_events(engine->take_events());
+      script->animation_events(engine->take_animation_ends());
       script->late_update(dt);
     }
     script->flush();

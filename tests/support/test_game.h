@@ -29,6 +29,7 @@ class TestGame {
   Files files;
   std::vector<tumble::LogLine> log;
   std::vector<tumble::ScriptFailure> failures;
+  std::unique_ptr<tumble::AssetLibrary> assets;
   std::unique_ptr<tumble::Engine> engine;
   std::unique_ptr<tumble::Script> script;
   bool started = false;
