@@ -29,6 +29,7 @@ void Game::tick(std::vector<InputEvent> events) {
     script.physics_events(engine_->take_events());
     script.animation_events(engine_->take_animation_ends());
     script.late_update(dt);
+    engine_->step_particles(dt);
   }
   script.flush();
   script.draw_ui();

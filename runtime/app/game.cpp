@@ -23,6 +23,7 @@ Game::Game(const std::string& path, const GameHost& host) : host_(host) {
   if (settings && settings->find_first_not_of(" \t\r\n") == std::string::npos)
     fail("game.json: it is empty; write {} or leave the file out for a game with all defaults");
   engine_ = std::make_unique<Engine>(read_settings(settings.value_or(""), "game.json"));
+  engine_->particles.set_drawn(host.options.window || host.options.offscreen);
   engine_->input.set_actions(engine_->settings.actions);
   // A hint of the engine is said once, however often its cause comes back.
   engine_->log = [this](const LogLine& line) {

@@ -60,6 +60,7 @@ NodeId Engine::add_nodes(const NodeDef& def, NodeId parent, Origin origin, NodeI
   node.sky = def.sky;
   if (def.sound) set_sound(id, def.sound, "sound");
   node.particles = def.particles;
+  if (node.particles) particles.note(id);
   node.animation = def.animation;
   ask_for_files(id);
   list_animation(id);
@@ -159,6 +160,12 @@ void Engine::begin_tick() {
   scene.begin_tick(tick);
   if (!private_->camera_checked) camera();
   private_->camera_checked = true;
+}
+
+void Engine::step_particles(double seconds) { particles.step(scene, settings.physics.gravity, seconds, log); }
+
+void Engine::burst_particles(NodeId emitter, int count) {
+  particles.burst(scene, emitter, count, settings.physics.gravity, log);
 }
 
 Events Engine::take_events() {

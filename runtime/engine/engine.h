@@ -15,6 +15,7 @@
 #include "base/log.h"
 #include "engine/input_map.h"
 #include "engine/node_def.h"
+#include "engine/particles.h"
 #include "engine/random.h"
 #include "engine/settings.h"
 #include "engine/sounds.h"
@@ -63,6 +64,7 @@ class Engine {
   GameSettings settings;
   InputMap input;
   Random random;
+  ParticleField particles;          // drawn only
   std::uint64_t tick = 0;           // the number of this tick, or of the last one between two; the first is 1
   LogSink log;                      // hints for the author; may be empty
   AssetLibrary* assets = nullptr;   // models, pictures and sounds; outlives the engine; null: none
@@ -155,6 +157,8 @@ class Engine {
   // ---- one tick; the caller runs scripts between these
   void begin_tick();
   void step(double seconds);                            // scene -> physics, step, physics -> scene
+  void step_particles(double seconds);                  // after all that moves nodes in the tick
+  void burst_particles(NodeId emitter, int count);
   Events take_events();
   bool has_removals() const { return !dying_.empty() || !gone_.empty(); }
   void remove_bodies_of_dying();                        // their exits come with take_events()

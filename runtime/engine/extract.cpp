@@ -168,6 +168,7 @@ DrawList extract(const Engine& engine, double alpha, double /*aspect*/) {
 
   Walk walk{engine, engine.scene, alpha, list};
   walk.visit(engine.scene.root(), {});
+  engine.particles.draw(alpha, list.origin, list.particles);
   list.has_sun = walk.sun_found || !walk.light_found;
   return list;
 }

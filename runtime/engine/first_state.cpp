@@ -66,6 +66,7 @@ void Engine::restart_scene() {
   drop_world();
   private_->animations.clear();
   private_->animation_ends.clear();
+  particles.clear();
   dying_.clear();
   revive_nodes();
   remove_added();
@@ -131,6 +132,7 @@ void Engine::reset_nodes() {
     node.sound = first.def.sound;
     if (node.sound) sounds.watch(id);
     node.particles = first.def.particles;
+    if (node.particles) particles.note(id);
     node.animation = first.def.animation;
     list_animation(id);
   }

@@ -7,6 +7,7 @@ namespace tumble {
 NodeId Engine::load(const NodeDef& def, const std::string& name) {
   check_load(def);
   clear_loaded();
+  particles.clear();
   scene_root = add(def, scene.root(), Origin::loaded, "scene.load");
   scene_name = name;
   private_->loaded_root = scene_root;

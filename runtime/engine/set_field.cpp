@@ -26,6 +26,11 @@ void write_animation(Engine& engine, NodeId id, const NodeDef& def, const std::s
   if (before && node.animation) restart_clip(engine, node, *before);
 }
 
+void write_particles(Engine& engine, NodeId node, const NodeDef& def, const std::string&) {
+  engine.scene[node].particles = def.particles;
+  if (def.particles) engine.particles.note(node);
+}
+
 // What a field of NodeDef sets; a name that scripts write twice (`rotation_degrees`) comes as the field itself.
 const std::map<std::string, Write, std::less<>>& writes() {
   static const std::map<std::string, Write, std::less<>> table = {
@@ -44,7 +49,7 @@ const std::map<std::string, Write, std::less<>>& writes() {
       {"camera", [](Engine& e, NodeId n, const NodeDef& d, const std::string&) { e.scene[n].camera = d.camera; }},
       {"sky", [](Engine& e, NodeId n, const NodeDef& d, const std::string&) { e.scene[n].sky = d.sky; }},
       {"sound", [](Engine& e, NodeId n, const NodeDef& d, const std::string& call) { e.set_sound(n, d.sound, call); }},
-      {"particles", [](Engine& e, NodeId n, const NodeDef& d, const std::string&) { e.scene[n].particles = d.particles; }},
+      {"particles", write_particles},
       {"animation", write_animation},
       {"body", [](Engine& e, NodeId n, const NodeDef& d, const std::string& call) { e.set_body(n, d.body, call); }},
   };

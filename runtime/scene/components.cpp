@@ -71,20 +71,24 @@ void describe(Sound& sound, Schema& s) {
 }
 
 void describe(Particles& particles, Schema& s) {
-  s.name("particles", "Small sprites that rise from a node: smoke, sparks, dust.");
+  s.name("particles", "Small sprites that rise from a node: smoke, sparks, dust. Once begun they go their own way: they stay behind a node "
+                      "that moves, and live on when it is hidden or destroyed.");
+  s.main("color");
   s.add("rate", particles.rate, "How many begin in a second, 1/s.").between(0, 10000);
   s.add("life", particles.life, "How long each is seen, s.").between(0.01, 60);
   s.add("speed", particles.speed, "At their start, along the node's up direction, m/s.").at_least(0);
-  s.angle("spread", particles.spread, "How far they may stray from that direction.").between(0, kPi);
-  s.add("area", particles.area, "Size of the box in which they begin, m.");
+  s.angle("spread", particles.spread, "How far they may stray from that direction; 180 degrees: all around.").between(0, kPi);
+  s.add("area", particles.area, "Size of the box in which they begin, around the node, m.").at_least(0);
   s.add("size", particles.size, "Across, at their start, m.").at_least(0);
   s.add("size_end", particles.size_end, "Across, at their end, m.").at_least(0);
   s.add("color", particles.color, "At their start.");
   s.add("color_end", particles.color_end, "At their end; nil: the color, fading.");
   s.add("gravity_factor", particles.gravity_factor, "How much gravity pulls them; below 0 they rise.");
+  s.add("damping", particles.damping, "How fast the air stops them, 1/s: the speed falls as exp(-damping t).").at_least(0);
+  s.add("variation", particles.variation, "By how much the life, speed and size of each may fall short: 0 makes all alike.").between(0, 1);
   s.add("glow", particles.glow, "Light of their own, as of a material.").at_least(0);
   s.add("texture", particles.texture, "A PNG file; none: a soft disc.");
-  s.add("playing", particles.playing, "Do new ones begin?");
+  s.add("playing", particles.playing, "Do new ones begin? A burst needs it not.");
 }
 
 void describe(Animation& animation, Schema& s) {

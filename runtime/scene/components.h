@@ -66,6 +66,8 @@ struct Particles {
   Color color{1, 1, 1, 1};
   std::optional<Color> color_end;      // none: the color, clear
   double gravity_factor = 0;
+  double damping = 0;         // 1/s
+  double variation = 0.25;    // by how much life, speed and size may fall short
   double glow = 0;            // as of a material
   std::string texture;        // none: a soft disc
   bool playing = true;

@@ -160,6 +160,14 @@ int children_index(lua_State* L) {
   });
 }
 
+// ---- particles
+void burst(Script& s, ComponentRef c, int count) {
+  constexpr int most = ParticleField::kMost;
+  if (count < 1 || count > most) fail("particles:burst: count: 1 to ", most, " expected, got ", count);
+  if (!node_of(s, {c.node}).particles) fail("particles:burst: node '", node_of(s, {c.node}).name, "' has no particles any more");
+  s.engine().burst_particles(c.node, count);
+}
+
 // ---- camera
 std::tuple<double, double, bool> to_screen_point(Script& s, ComponentRef c, Vec3 point) {
   double x = 0, y = 0;
@@ -241,7 +249,9 @@ void rows_mesh(Area&) {}
 void rows_material(Area&) {}
 void rows_light(Area&) {}
 void rows_sky(Area&) {}
-void rows_particles(Area&) {}
+void rows_particles(Area& a) {
+  a.method<burst>("burst", "So many begin at once, where the node is now.", "count").acts();
+}
 void rows_animation(Area&) {}
 void rows_camera(Area& a) {
   a.method<to_screen_point>("to_screen", "Where a point of the world is on the screen, in ui units, and whether it is in front.", "point");

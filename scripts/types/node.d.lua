@@ -28,7 +28,7 @@
 ---@field camera camera|camera_options The camera that looks from it, or nil.
 ---@field sky sky|sky_options|string The sky and fog that it brings, or nil.
 ---@field sound sound|sound_options|string What is heard from it, or nil.
----@field particles particles|particles_options The small sprites that rise from it, or nil.
+---@field particles particles|particles_options|string The small sprites that rise from it, or nil.
 ---@field animation animation|animation_options|string The keyframes that move it, or nil.
 ---@field body body|body_options|string Its physical body, or nil.
 ---@field behaviours table Its behaviours by name: node.behaviours.slime.
@@ -148,7 +148,7 @@ function node:get_scale() end
 ---@field camera? camera_options Makes it a camera.
 ---@field sky? sky_options|string Sky and fog around everything.
 ---@field sound? sound_options|string What is heard from it.
----@field particles? particles_options Small sprites that rise from it.
+---@field particles? particles_options|string Small sprites that rise from it.
 ---@field animation? animation_options|string Keyframes that move it.
 ---@field body? body_options|string Makes it a rigid body.
 ---@field behaviours? table<string, any> Scripts by name, each with a table of its properties.
