@@ -14,22 +14,17 @@ void describe(Shape& shape, Schema& s) {
   s.name("shape", "A shape for a mesh, a collider, a cast or a drawing; axis y, centred, 1 m by default.");
   s.main("shape");
   s.add("shape", shape.shape, "Which shape; it reads only the fields that are its own.");
-  s.add("size", shape.size, "Edge lengths of a box, a pyramid, a plane (x and z) or a height field, m.").above(0);
+  s.add("size", shape.size, "Edge lengths of a box, a pyramid, a plane (x and z) or a height field, m; a model has its own.").above(0);
   s.add("radius", shape.radius, "Of a sphere, capsule, cylinder, cone; of a torus, from the centre to the middle of its tube, m.").above(0);
   s.add("height", shape.height, "Of a capsule, cylinder or cone over all, rounded ends included, m.").above(0);
   s.add("thickness", shape.thickness, "Of a torus: the diameter of its tube, m.").above(0);
-  s.add("file", shape.file, "The model of a mesh or hull, or the picture of a height field.");
+  s.add("file", shape.file, "The glTF model of a mesh or hull (.glb, .gltf), or the picture whose brightness is a height field; with nothing but a file the shape is a mesh.");
   s.add("points", shape.points, "Corner points of a hull, m.");
   s.check<Shape>([](const Shape& given) {
     const ShapeKind kind = given.shape;
     if (given.file.empty() || kind == ShapeKind::box || kind == ShapeKind::hull || kind == ShapeKind::mesh || kind == ShapeKind::height_field) return;
     fail("file belongs to a mesh, a hull or a height_field (got shape '", enum_names(kind)[static_cast<std::size_t>(kind)], "'); leave one of the two out");
   });
-}
-
-Shape settled(Shape shape) {
-  if (!shape.file.empty() && shape.shape == ShapeKind::box) shape.shape = ShapeKind::mesh;
-  return shape;
 }
 
 Shape scaled(const Shape& shape, Vec3 scale) {

@@ -26,13 +26,11 @@ struct Shape {
   bool operator==(const Shape&) const = default;
 };
 void describe(Shape& shape, Schema& s);
-// A file without a word about the shape is a mesh.
-Shape settled(Shape shape);
 
 // The shape stretched by a node's scale (each component above 0): a sphere takes the largest component, round shapes
 // the larger of x and z across and y along, since they stay round. So no collider ever is smaller than what is seen.
 Shape scaled(const Shape& shape, Vec3 scale);
-// Half the size of a box around it, centred on the origin. Of a file's, without its points, of its stand-in.
+// Half the size of the box around it.
 Vec3 half_extents(const Shape& shape);
 
 }  // namespace tumble

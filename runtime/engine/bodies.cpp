@@ -58,8 +58,7 @@ BodyDef Engine::body_def(NodeId node) const {
 // As the world gets it; throws where that is not possible, before anything is changed.
 BodyDef Engine::physical(NodeId node, const BodyDef& def, const std::string& call) const {
   check_groups(def, settings.physics.groups, call);
-  BodyDef physical;
-  worded(call, [&] { physical = fitted(def, scene[node].mesh, scene.world(node).scale, [this](const Shape& shape) { return with_points(shape); }, call); });
+  const BodyDef physical = fitted(def, scene[node].mesh, scene.world(node).scale, [this](const Shape& shape) { return with_points(shape); }, call);
   if (!with_world_ && std::any_of(physical.colliders.begin(), physical.colliders.end(), is_made_of_points))
     worded(call, [&] { World(settings.physics).add(physical, {}, 0); });
   return physical;

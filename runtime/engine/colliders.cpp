@@ -1,5 +1,6 @@
 #include "engine/colliders.h"
 
+#include "engine/shape_files.h"
 #include "scene/node.h"
 
 namespace tumble {

@@ -15,7 +15,16 @@ bool names_one(const Shape& shape, const std::vector<std::string>& files) {
 
 }  // namespace
 
-Shape Engine::with_points(const Shape& shape) const { return private_->shape_files.with_points(shape, assets); }
+Shape Engine::with_points(const Shape& shape) const {
+  try {
+    return private_->shape_files.with_points(shape, assets);
+  } catch (const Error& error) {
+    warn(error.what() + std::string("; a box stands in"));
+    Shape box;
+    box.size = shape.size;
+    return box;
+  }
+}
 
 void Engine::ask_for_files(NodeId id) {
   if (!assets) return;

@@ -66,6 +66,11 @@ std::vector<Vec3> hull_corners(std::vector<Vec3> points) {
 
 }  // namespace
 
+Shape settled(Shape shape) {
+  if (!shape.file.empty() && shape.shape == ShapeKind::box) shape.shape = ShapeKind::mesh;
+  return shape;
+}
+
 Shape ShapeFiles::with_points(const Shape& given, AssetLibrary* assets) {
   Shape shape = settled(given);
   if (shape.file.empty()) return shape;

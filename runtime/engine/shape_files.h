@@ -16,6 +16,9 @@ namespace tumble {
 constexpr std::size_t kMostHullCorners = 128;
 constexpr std::size_t kMostColliderTriangles = 1'000'000;
 
+// A file without a word about the shape is a mesh.
+Shape settled(Shape shape);
+
 class ShapeFiles {
  public:
   // The shape with the points of its file: triangles of a mesh or height field, corners of a hull. A box of its size

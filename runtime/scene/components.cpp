@@ -92,13 +92,13 @@ void describe(Particles& particles, Schema& s) {
 }
 
 void describe(Animation& animation, Schema& s) {
-  s.name("animation", "Keyframes from a model file, played on a mesh's parts or on child nodes of the same names.");
+  s.name("animation", "Keyframes from a model file: they move child nodes that bear the name of a node in the file, and where they are drawn the parts of the node's own model.");
   s.main("clip");
-  s.add("clip", animation.clip, "Name of the clip; empty: the file's first.");
+  s.add("clip", animation.clip, "Name of the clip; empty: the file's first. Another one begins at its start, with a speed below 0 at its end.");
   s.add("file", animation.file, "A glTF file; empty: the mesh's own.");
   s.add("speed", animation.speed, "1 is as recorded, -1 backwards.");
   s.add("loop", animation.loop, "Does it begin again at its end?");
-  s.add("playing", animation.playing, "Does its time go on?");
+  s.add("playing", animation.playing, "Does its time go on? Of a clip that does not loop it is false at the end, and on_animation_end(clip) is called.");
   s.add("time", animation.time, "Where it is in the clip, s.").at_least(0);
 }
 

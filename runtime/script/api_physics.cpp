@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/text.h"
+#include "engine/shape_files.h"
 #include "script/areas.h"
 #include "script/script.h"
 

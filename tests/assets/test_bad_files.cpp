@@ -73,7 +73,7 @@ TEST_CASE("bad files: a damaged .gltf is a sentence or a model", "[assets][bad]"
 TEST_CASE("bad files: a damaged picture is a sentence or a picture", "[assets][bad]") { damage(png(32, 32, checkers()), load_picture, 16, 1500); }
 
 TEST_CASE("bad files: a damaged scene is a sentence or a scene", "[assets][bad]") {
-  damage(R"({"children": [{"name": "crate", "position": [0, 2, 0], "mesh": {"shape": "box", "size": [1, 2, 1]}, "body": {"mass": 5},
+  damage(R"({"tumble": 1, "children": [{"name": "crate", "position": [0, 2, 0], "mesh": {"shape": "box", "size": [1, 2, 1]}, "body": {"mass": 5},
              "joints": [{"type": "hinge", "b": "frame"}]}, {"name": "frame", "body": "static", "mesh": "box", "material": {"color": "#aabbcc"}}]})",
          load_scene, 8, 1500);
 }

@@ -149,7 +149,7 @@ TEST_CASE("gltf: triangles without normals get flat ones, in strips and fans too
     CHECK(area(triangles_of(model)) == Approx(4));
     for (const Vertex& vertex : model.parts.at(0).mesh.vertices) CHECK(vertex.normal == std::array<float, 3>{0, 1, 0});
   }
-  CHECK_THAT(read(one_mesh(zigzag, R"(, "mode": 6)")).notes, Catch::Matchers::IsEmpty());
+  CHECK(read(one_mesh(zigzag, R"(, "mode": 6)")).notes.empty());
 }
 
 TEST_CASE("gltf: a mirrored node's triangles still face outwards", "[assets]") {
@@ -196,7 +196,7 @@ TEST_CASE("gltf: whole numbers stand for fractions where the file says so", "[as
   add(writer.meshes, R"({"primitives": [{"attributes": {"POSITION": 0}}]})");
   add(writer.nodes, R"({"mesh": 0})");
   std::string bytes = writer.gltf();
-  bytes.replace(bytes.find(R"("byteLength": 12})"), 17, R"("byteStride": 4, "byteLength": 12})");
+  bytes.replace(bytes.rfind(R"("byteLength": 12})"), 17, R"("byteStride": 4, "byteLength": 12})");
 
   CHECK(triangles_of(read(bytes)) == std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
 }

@@ -42,7 +42,7 @@ TEST_CASE("body: given colliders stretch with their node, offsets and centre of 
   def.colliders = {collider};
   def.center_of_mass = Vec3{1, 1, 1};
 
-  const BodyDef result = fitted(def, {}, {3, 1, 1}, "test");
+  const BodyDef result = fitted(def, {}, {3, 1, 1}, [](const Shape& shape) { return shape; }, "test");
 
   CHECK(result.colliders[0].offset == Vec3{3, 0, 0});
   CHECK(distance(result.colliders[0].shape.size, {1, 3, 1}) < 1e-12);  // its own y lies along the node's x
