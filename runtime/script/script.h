@@ -165,7 +165,7 @@ class Script {
   void draw_ui();
   void frame(double dt);
   void send(const std::string& message, const std::vector<Value>& arguments);
-  void collect_garbage();                              // once a frame
+  void collect_garbage();                              // once a tick
   void read_report();                                  // fills `report`
   bool wants_text();                                   // does anything hear on_text?
 
@@ -296,6 +296,8 @@ class Script {
   bool loaded_ = false;
   std::string scene_wanted_;
   bool scene_restart_wanted_ = false;
+  bool scene_went_ = false;                            // since the last full collection
+  std::size_t after_full_collection_ = 0;              // bytes
   Drawing tick_drawing_, frame_drawing_;
   std::map<NodeId, std::string> dead_;                 // how destroyed nodes were called and where they ended
   std::vector<NodeId> dead_order_;

@@ -95,7 +95,7 @@ void Script::run_boot() {
   provide_scripted(L, -1);
   lua_pop(L, 1);
   lua_rawsetp(L, LUA_REGISTRYINDEX, this);
-  // From here on one young collection a frame, by collect_garbage(); Lua does not collect by itself.
+  // From here on collect_garbage() does it, once a tick; Lua does not collect by itself.
   lua_gc(L, LUA_GCSTOP);
 }
 
@@ -108,10 +108,18 @@ void Script::begin_storage(Stored stored) {
   storage.begin(std::move(stored));
 }
 
-// One young collection; a full one where the scripts have come near their limit.
+// A young collection finds what went soon after it was made, and costs as much as was made. What lived longer is found by
+// a full one: when a scene has gone, which takes longer anyway, and when memory has doubled or come near its limit since.
 void Script::collect_garbage() {
-  if (memory_.used() > memory_.limit() / 2) lua_gc(L_, LUA_GCCOLLECT);
-  else lua_gc(L_, LUA_GCSTEP, 0);
+  constexpr std::size_t kSlack = std::size_t{4} << 20;  // so that small games do not collect in full all the time
+  const std::size_t most = std::min(2 * after_full_collection_ + kSlack, (after_full_collection_ + memory_.limit()) / 2);
+  if (!scene_went_ && memory_.used() <= most) {
+    lua_gc(L_, LUA_GCSTEP, 0);
+    return;
+  }
+  lua_gc(L_, LUA_GCCOLLECT);
+  scene_went_ = false;
+  after_full_collection_ = memory_.used();
 }
 
 bool Script::load() {

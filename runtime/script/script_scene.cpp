@@ -294,7 +294,7 @@ void Script::open_scene_quietly(const std::string& path) {
     attach_tree(def, root, "scene.load");
     for (const auto& [node, behaviours] : loaded_behaviours_) attach_behaviours(node, behaviours, path);
   });
-  lists_changed_ = true;
+  lists_changed_ = scene_went_ = true;
 }
 
 void Script::open_scene(const std::string& path) {
@@ -311,6 +311,7 @@ void Script::announce_scene(const std::string& name) {
 
 void Script::restart_scene_now() {
   live_.restart_scene();
+  scene_went_ = true;
   for (const NodeId gone : live_.finish_removals()) forget_node(gone);
   live_.take_events();
   auto restart = [&](NodeId node, const Value& behaviours) {
