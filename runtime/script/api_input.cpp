@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/text.h"
+#include "engine/ui/ui.h"
 #include "script/areas.h"
 #include "script/script.h"
 
