@@ -3,7 +3,9 @@
 #include <tiny_gltf.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
+#include <utility>
 
 #include "assets/gltf_materials.h"
 #include "assets/gltf_numbers.h"
@@ -26,7 +28,9 @@ struct Builder {
   GltfFile file;
   Model model;
   std::vector<int> node_of;        // the file's node -> ours; -1 for one that is not in the scene
+  std::vector<int> file_node;      // and back
   std::size_t vertices = 0;
+  std::map<const tinygltf::Primitive*, Mesh> meshes;  // many nodes may show one
 
   const tinygltf::Model& records() const { return *file.records; }
   void note(const std::string& text) {
@@ -37,7 +41,6 @@ struct Builder {
 
   void add_nodes() {
     const auto& nodes = records().nodes;
-    if (nodes.size() > kMostModelNodes) fail_model(file.name, "it has ", nodes.size(), " nodes; keep them below ", kMostModelNodes);
     node_of.assign(nodes.size(), -1);
     struct Next {
       int node, parent;
@@ -51,6 +54,7 @@ struct Builder {
       const tinygltf::Node& node = at(file, nodes, index, "node");
       if (node_of[static_cast<std::size_t>(index)] >= 0) fail_model(file.name, "node ", index, " hangs in two places; export it again");
       node_of[static_cast<std::size_t>(index)] = static_cast<int>(model.nodes.size());
+      file_node.push_back(index);
       add_node(node, parent);
       const int own = node_of[static_cast<std::size_t>(index)];
       for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) next.push_back({*child, own});
@@ -119,10 +123,10 @@ struct Builder {
   // ---- parts
 
   void add_parts() {
-    for (std::size_t i = 0; i < records().nodes.size(); ++i) {
-      if (node_of[i] < 0 || records().nodes[i].mesh < 0) continue;
-      for (const tinygltf::Primitive& primitive : at(file, records().meshes, records().nodes[i].mesh, "mesh").primitives)
-        add_part(primitive, node_of[i]);
+    for (std::size_t i = 0; i < file_node.size(); ++i) {
+      const int mesh = records().nodes[static_cast<std::size_t>(file_node[i])].mesh;
+      if (mesh < 0) continue;
+      for (const tinygltf::Primitive& primitive : at(file, records().meshes, mesh, "mesh").primitives) add_part(primitive, static_cast<int>(i));
     }
   }
 
@@ -137,7 +141,10 @@ struct Builder {
     part.node = node;
     part.material = primitive.material < 0 ? static_cast<int>(records().materials.size()) : primitive.material;
     if (part.material > static_cast<int>(records().materials.size())) fail_model(file.name, "material ", part.material, " of ", records().materials.size(), " is wanted; export it again");
-    part.mesh = mesh_of(primitive, mode);
+    const auto [kept, fresh] = meshes.try_emplace(&primitive);
+    if (fresh) kept->second = mesh_of(primitive, mode);
+    count_vertices(kept->second.vertices.size());
+    part.mesh = kept->second;
     const ModelPlace& place = model.nodes[static_cast<std::size_t>(node)].place;
     if (dot(cross(place.x, place.y), place.z) < 0)  // mirrored: the triangles would be seen from behind
       for (std::size_t i = 0; i + 2 < part.mesh.triangles.size(); i += 3) std::swap(part.mesh.triangles[i + 1], part.mesh.triangles[i + 2]);
@@ -166,7 +173,7 @@ struct Builder {
 
     Mesh mesh;
     mesh.triangles = triangles_of(primitive, mode, positions.count);
-    count_vertices(normals_at >= 0 ? positions.count : mesh.triangles.size());
+    if (mesh.triangles.size() > 3 * kMostModelVertices) fail_model(file.name, "it has more than ", kMostModelVertices, " triangles; make it simpler");
     mesh.vertices.resize(positions.count);
     for (std::size_t i = 0; i < positions.count; ++i) {
       Vertex& vertex = mesh.vertices[i];
@@ -277,7 +284,7 @@ struct Builder {
 }  // namespace
 
 Model read_model(std::string_view bytes, const std::string& name, const ReadOther& read) {
-  Builder builder{open_gltf(bytes, name, read), {}, {}, 0};
+  Builder builder{open_gltf(bytes, name, read), {}, {}, {}, 0, {}};
   for (const std::string& extension : builder.records().extensionsRequired)
     if (!kKnown.contains(extension)) fail_model(name, "it needs the extension ", extension, ", which we do not have; export it without");
   builder.add_nodes();

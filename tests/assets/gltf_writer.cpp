@@ -62,9 +62,9 @@ std::string GltfWriter::primitive(const Mesh& mesh, int material, std::size_t fi
   }
   const auto begin = mesh.triangles.begin() + static_cast<std::ptrdiff_t>(3 * first);
   const std::vector<std::uint32_t> triangles(begin, count == 0 ? mesh.triangles.end() : begin + static_cast<std::ptrdiff_t>(3 * count));
-  return R"({"attributes": {"POSITION": )" + std::to_string(numbers(positions, "VEC3")) + R"(, "NORMAL": )" + std::to_string(numbers(normals, "VEC3")) +
-         R"(, "TEXCOORD_0": )" + std::to_string(numbers(uvs, "VEC2")) + R"(}, "indices": )" + std::to_string(indices(triangles)) +
-         (material < 0 ? "" : R"(, "material": )" + std::to_string(material)) + "}";
+  const int at = numbers(positions, "VEC3"), normals_at = numbers(normals, "VEC3"), uvs_at = numbers(uvs, "VEC2"), indices_at = indices(triangles);
+  return R"({"attributes": {"POSITION": )" + std::to_string(at) + R"(, "NORMAL": )" + std::to_string(normals_at) + R"(, "TEXCOORD_0": )" + std::to_string(uvs_at) +
+         R"(}, "indices": )" + std::to_string(indices_at) + (material < 0 ? "" : R"(, "material": )" + std::to_string(material)) + "}";
 }
 
 std::string GltfWriter::json(const std::string& buffer) const {

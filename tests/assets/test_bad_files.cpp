@@ -98,7 +98,7 @@ TEST_CASE("bad files: a model's sentence names the file, what is wrong and the w
   check(cube_glb().substr(0, 500), "it says that it has");
   check(many("[", 100000), "nests deeper");
   check(R"({"a": )" + many(R"({"a": )", 100) + "1" + many("}", 101), "nests deeper");
-  check("{}", "\"asset\"");
+  check(R"({"nodes": []})", "\"asset\"");
   check(R"({"asset": {"version": "2.0"}})", "neither triangles nor clips");
   check(changed_cube(R"("asset")", R"("extensionsRequired": ["KHR_draco_mesh_compression"], "asset")"), "KHR_draco_mesh_compression");
   check(changed_cube("\"mesh\": 0", "\"mesh\": 7"), "mesh 7 of 1");
@@ -109,7 +109,8 @@ TEST_CASE("bad files: a model's sentence names the file, what is wrong and the w
   check(changed_cube("\"count\": 24", "\"count\": 240"), "runs past its bytes");
   check(changed_cube("\"count\": 24", "\"count\": 18446744073709551615"), "18446744073709551615 entries");
   check(changed_cube("\"componentType\": 5126", "\"componentType\": 5130"), "unknown kind");
-  check(changed_cube("\"byteLength\": ", "\"byteLength\": 99999"), "runs past");
+  check(changed_cube("\"byteLength\": 288}", "\"byteLength\": 99288}"), "runs past the end");
+  check(changed_cube("\"byteLength\": 288}", "\"byteLength\": 18446744073709551615}"), "runs past the end");
   check(changed_cube("data:application/octet-stream;base64,", "data:,"), "not base64");
   check(changed_cube("data:application/octet-stream;base64,", "../../../etc/passwd?"), "not in the game");
   check(changed_cube("\"translation\": [0, 2, 0]", "\"translation\": [0, 2]"), "translation is not 3");
