@@ -1,5 +1,19 @@
 #include "assets/image.h"
 
+#include <cstdlib>
+#include <cstring>
+
+// Zeroed, so that a damaged picture, which leaves pixels unwritten, is the same in every run: it may be a height field.
+static void* zeroed_realloc(void* old, std::size_t old_bytes, std::size_t bytes) {
+  void* fresh = std::calloc(1, bytes);
+  if (fresh && old) std::memcpy(fresh, old, old_bytes < bytes ? old_bytes : bytes);
+  if (fresh) std::free(old);
+  return fresh;
+}
+
+#define STBI_MALLOC(bytes) std::calloc(1, bytes)
+#define STBI_REALLOC_SIZED(old, old_bytes, bytes) zeroed_realloc(old, old_bytes, bytes)
+#define STBI_FREE(old) std::free(old)
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
 #define STBI_NO_STDIO
@@ -22,6 +36,14 @@ namespace tumble {
 
 static_assert(STBI_MAX_DIMENSIONS == kLargestImageSide);
 
+// Packing makes at most 1032 bytes of one, and a pixel takes at least a bit: a small file that claims more is refused
+// before memory is taken for its pixels.
+static bool claims_too_much(std::string_view bytes, const Image& image) {
+  constexpr std::size_t kBestPacking = 1032;
+  const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+  return bytes.starts_with("\x89PNG") && pixels / 8 > kBestPacking * bytes.size();
+}
+
 Image read_image(std::string_view bytes, const std::string& name) {
   const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
   const int size = static_cast<int>(bytes.size());
@@ -32,6 +54,7 @@ Image read_image(std::string_view bytes, const std::string& name) {
   if (image.width > kLargestImageSide || image.height > kLargestImageSide)
     fail("image: '", name, "' is ", image.width, " x ", image.height, " pixels; make each side at most ",
          kLargestImageSide);
+  if (claims_too_much(bytes, image)) fail("image: '", name, "' is damaged (it ends before its pixels do); save it again as PNG");
 
   stbi_uc* pixels = stbi_load_from_memory(data, size, &image.width, &image.height, &channels, 4);
   if (!pixels) fail("image: '", name, "' is damaged (", stbi_failure_reason(), "); save it again as PNG");

@@ -72,6 +72,15 @@ TEST_CASE("bad files: a damaged .glb is a sentence or a model", "[assets][bad]")
 TEST_CASE("bad files: a damaged .gltf is a sentence or a model", "[assets][bad]") { damage(cube_writer().gltf(), load_model, 64, 1500); }
 TEST_CASE("bad files: a damaged picture is a sentence or a picture", "[assets][bad]") { damage(png(32, 32, checkers()), load_picture, 16, 1500); }
 
+TEST_CASE("bad files: a picture too small for the pixels that it claims is refused before they get memory", "[assets][bad]") {
+  std::string bytes = png(32, 32, checkers());
+  bytes[18] = 0x20;  // the width's and the height's second byte: 8192
+  bytes[19] = 0;
+  bytes[22] = 0x20;
+  bytes[23] = 0;
+  CHECK_THAT(said(load_picture, bytes), Catch::Contains("ends before its pixels do"));
+}
+
 TEST_CASE("bad files: a damaged scene is a sentence or a scene", "[assets][bad]") {
   damage(R"({"tumble": 1, "children": [{"name": "crate", "position": [0, 2, 0], "mesh": {"shape": "box", "size": [1, 2, 1]}, "body": {"mass": 5},
              "joints": [{"type": "hinge", "b": "frame"}]}, {"name": "frame", "body": "static", "mesh": "box", "material": {"color": "#aabbcc"}}]})",
