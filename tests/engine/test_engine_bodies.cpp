@@ -54,8 +54,6 @@ TEST_CASE("body: without a mesh or colliders it is refused with the way out", "[
 
   CHECK_THROWS_WITH(game.make({{"body", "dynamic"}}), "scene.add: body needs a mesh or colliders: give the node mesh = \"box\", or body = { "
                                                       "colliders = { shape = \"box\" } }");
-  CHECK_THROWS_WITH(game.make({{"mesh", Map{{"shape", "mesh"}, {"file", "tree.glb"}}}, {"body", "static"}}),
-                    Catch::Contains("a collider cannot be made from a file yet (mesh 'tree.glb')"));
   CHECK(game.world() == nullptr);
 }
 

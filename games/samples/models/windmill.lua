@@ -15,7 +15,7 @@ local mill = scene.add { name = "mill", mesh = { file = "windmill.glb" }, animat
   } }
 
 local function send_ball()
-  local side = random.range(-2.5, 2.5)
+  local side = random.between(-2.5, 2.5)
   local ball = scene.add { position = vec3(side, 8, 1.25), color = "orange", mesh = { shape = "sphere", radius = 0.2 }, body = { mass = 1 } }
   task.after(6, function() ball:destroy() end)
 end
