@@ -254,6 +254,10 @@ void Runtime::draw() {
   impl_->draw(1, impl_->game->tick_seconds());
 }
 
+void Runtime::finish_drawing() {
+  if (impl_->renderer) impl_->renderer->finish();
+}
+
 void Runtime::save_picture(const std::string& png_file) {
   if (!impl_->renderer) fail("save_picture: nothing is drawn; set Options::offscreen or Options::window");
   write_png(impl_->renderer->picture(), png_file);

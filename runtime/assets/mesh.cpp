@@ -1,6 +1,7 @@
 #include "assets/mesh.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/hash.h"
 
@@ -12,9 +13,11 @@ constexpr int kRings = 16;       // from pole to pole
 constexpr int kTorusSides = 48;  // around the axis
 constexpr int kTubeSides = 16;
 
-std::uint32_t add_vertex(Mesh& mesh, Vec3 position, Vec3 normal) {
+// u to the right and v down, 0..1.
+std::uint32_t add_vertex(Mesh& mesh, Vec3 position, Vec3 normal, double u, double v) {
   const auto f = [](double value) { return static_cast<float>(value); };
-  mesh.vertices.push_back({{f(position.x), f(position.y), f(position.z)}, {f(normal.x), f(normal.y), f(normal.z)}});
+  mesh.vertices.push_back(
+      {{f(position.x), f(position.y), f(position.z)}, {f(normal.x), f(normal.y), f(normal.z)}, {f(u), f(v)}});
   return static_cast<std::uint32_t>(mesh.vertices.size() - 1);
 }
 
@@ -22,11 +25,13 @@ void add_triangle(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c)
   mesh.triangles.insert(mesh.triangles.end(), {a, b, c});
 }
 
-// A flat polygon, counter-clockwise seen from outside.
+// A triangle or a quadrangle, counter-clockwise seen from outside and from its lower left corner on.
 void add_face(Mesh& mesh, const std::vector<Vec3>& corners) {
   const Vec3 normal = normalized(cross(corners[1] - corners[0], corners[2] - corners[0]));
   const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-  for (const Vec3 corner : corners) add_vertex(mesh, corner, normal);
+  const bool pointed = corners.size() == 3;
+  const double u[] = {0, 1, pointed ? 0.5 : 1, 0}, v[] = {1, 1, 0, 0};
+  for (std::size_t i = 0; i < corners.size(); ++i) add_vertex(mesh, corners[i], normal, u[i], v[i]);
   for (std::uint32_t i = 2; i < corners.size(); ++i) add_triangle(mesh, first, first + i - 1, first + i);
 }
 
@@ -42,13 +47,27 @@ struct Outline {
   double normal_across, normal_y;
 };
 
-// Turns an outline that runs upwards about the y axis. Points on the axis give no degenerate triangles.
+// How far along the outline each point lies, 0..1.
+std::vector<double> shares(const std::vector<Outline>& outline) {
+  std::vector<double> result{0};
+  for (std::size_t i = 1; i < outline.size(); ++i)
+    result.push_back(result.back() + std::hypot(outline[i].across - outline[i - 1].across, outline[i].y - outline[i - 1].y));
+  const double whole = std::max(result.back(), 1e-12);
+  for (double& share : result) share /= whole;
+  return result;
+}
+
+// Turns an outline that runs upwards about the y axis. Points on the axis give no degenerate triangles. A picture goes
+// round it once.
 void add_turned(Mesh& mesh, const std::vector<Outline>& outline, int sides) {
   const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+  const std::vector<double> up = shares(outline);
   for (int i = 0; i <= sides; ++i)
-    for (const Outline& p : outline) {
+    for (std::size_t k = 0; k < outline.size(); ++k) {
+      const Outline& p = outline[k];
       const Vec3 out = around(i, sides);
-      add_vertex(mesh, out * p.across + Vec3{0, p.y, 0}, out * p.normal_across + Vec3{0, p.normal_y, 0});
+      add_vertex(mesh, out * p.across + Vec3{0, p.y, 0}, out * p.normal_across + Vec3{0, p.normal_y, 0},
+                 double(i) / sides, 1 - up[k]);
     }
   const auto n = static_cast<std::uint32_t>(outline.size());
   for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(sides); ++i)
@@ -110,8 +129,14 @@ Mesh make_capsule(double radius, double height) {
 
 // A disc across the axis, facing up or down.
 void add_cap(Mesh& mesh, double radius, double y, bool up) {
+  const std::size_t first = mesh.vertices.size();
   if (up) add_turned(mesh, {{radius, y, 0, 1}, {0, y, 0, 1}}, kSides);
   else add_turned(mesh, {{0, y, 0, -1}, {radius, y, 0, -1}}, kSides);
+  for (std::size_t i = first; i < mesh.vertices.size(); ++i) {
+    Vertex& vertex = mesh.vertices[i];
+    const float down = up ? vertex.position[2] : -vertex.position[2];
+    vertex.uv = {0.5f + vertex.position[0] / static_cast<float>(2 * radius), 0.5f + down / static_cast<float>(2 * radius)};
+  }
 }
 
 Mesh make_cylinder(double radius, double height) {
@@ -164,9 +189,20 @@ Mesh make_mesh(const Shape& shape) {
 
 std::uint64_t mesh_key(const Shape& shape) {
   Hash hash;
-  hash.add(static_cast<std::uint64_t>(shape.shape)).add(shape.size).add(shape.radius).add(shape.height);
-  hash.add(shape.thickness).add(shape.file).add(static_cast<std::uint64_t>(shape.points.size()));
-  for (const Vec3 point : shape.points) hash.add(point);
+  hash.add(static_cast<std::uint64_t>(shape.shape));
+  switch (shape.shape) {
+    case ShapeKind::box:
+    case ShapeKind::pyramid:
+    case ShapeKind::plane: hash.add(shape.size); break;
+    case ShapeKind::sphere: hash.add(shape.radius); break;
+    case ShapeKind::capsule:
+    case ShapeKind::cylinder:
+    case ShapeKind::cone: hash.add(shape.radius).add(shape.height); break;
+    case ShapeKind::torus: hash.add(shape.radius).add(shape.thickness); break;
+    default:
+      hash.add(shape.size).add(shape.file);
+      for (const Vec3 point : shape.points) hash.add(point);
+  }
   return hash.value();
 }
 

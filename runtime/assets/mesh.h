@@ -28,7 +28,7 @@ Mesh make_mesh(const Shape& shape);
 bool is_stand_in(const Shape& shape);
 // The convex hull; empty for fewer than four points, or points in one plane.
 Mesh make_hull(const std::vector<Vec3>& points);
-// Equal for equal meshes, other for others.
+// Equal for shapes that look alike, whatever the fields that their kind does not read.
 std::uint64_t mesh_key(const Shape& shape);
 
 }  // namespace tumble

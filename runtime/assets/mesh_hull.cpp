@@ -1,6 +1,8 @@
 // The convex hull of a handful of points, one point after the other: a point outside removes the faces that it sees
 // and is joined to the rim of the hole. Quadratic in the number of points, which for a student's shape is nothing.
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <set>
 
 #include "assets/mesh.h"
@@ -54,14 +56,30 @@ void add_point(std::vector<Face>& faces, const std::vector<Vec3>& p, int point, 
   faces = std::move(kept);
 }
 
+// Laid on from the side that a face turns to most, once over the whole hull.
+std::array<float, 2> laid_on(Vec3 place, Vec3 normal, Vec3 low, Vec3 high) {
+  const Vec3 size = high - low;
+  const auto share = [](double from, double whole) { return static_cast<float>(whole > 0 ? from / whole : 0.5); };
+  const float x = share(place.x - low.x, size.x), y = share(place.y - low.y, size.y), z = share(place.z - low.z, size.z);
+  const Vec3 side{std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)};
+  if (side.y >= std::max(side.x, side.z)) return {x, normal.y > 0 ? z : 1 - z};
+  if (side.z >= side.x) return {normal.z > 0 ? x : 1 - x, 1 - y};
+  return {normal.x > 0 ? 1 - z : z, 1 - y};
+}
+
 Mesh flat_shaded(const std::vector<Face>& faces, const std::vector<Vec3>& p) {
   Mesh mesh;
+  Vec3 low = p[0], high = p[0];
+  for (const Vec3 v : p) {
+    low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
+    high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
+  }
   for (const Face& face : faces)
     for (const int corner : {face.a, face.b, face.c}) {
       const auto f = [](double value) { return static_cast<float>(value); };
       const Vec3 v = p[corner], n = face.normal;
       mesh.triangles.push_back(static_cast<std::uint32_t>(mesh.vertices.size()));
-      mesh.vertices.push_back({{f(v.x), f(v.y), f(v.z)}, {f(n.x), f(n.y), f(n.z)}});
+      mesh.vertices.push_back({{f(v.x), f(v.y), f(v.z)}, {f(n.x), f(n.y), f(n.z)}, laid_on(v, n, low, high)});
     }
   return mesh;
 }

@@ -1,9 +1,6 @@
 #include "engine/extract.h"
 
-#include <algorithm>
-
-#include "base/hash.h"
-#include "engine/animation.h"
+#include <array>
 
 namespace tumble {
 
@@ -11,133 +8,64 @@ namespace {
 
 constexpr double kUiHeight = 720;
 
-// Equal for shapes that look alike: only the fields that the kind reads.
-std::uint64_t shape_key(const Shape& shape) {
-  Hash hash;
-  hash.add(static_cast<std::uint64_t>(shape.shape));
-  switch (shape.shape) {
-    case ShapeKind::box:
-    case ShapeKind::pyramid:
-    case ShapeKind::plane: hash.add(shape.size); break;
-    case ShapeKind::sphere: hash.add(shape.radius); break;
-    case ShapeKind::capsule:
-    case ShapeKind::cylinder:
-    case ShapeKind::cone: hash.add(shape.radius).add(shape.height); break;
-    case ShapeKind::torus: hash.add(shape.radius).add(shape.thickness); break;
-    default:
-      hash.add(shape.size).add(shape.file);
-      for (const Vec3& point : shape.points) hash.add(point);
-  }
-  return hash.value();
-}
-
 // Model to picture space: the columns are the turned and stretched axes, then the place seen from the camera.
-Matrix matrix_of(const Transform& t, Vec3 origin, const ModelPlace& part = {}) {
-  const auto axis = [&](Vec3 v) { return t.rotation * scaled(t.scale, v); };
-  const Vec3 x = axis(part.x), y = axis(part.y), z = axis(part.z), p = t.position + axis(part.position) - origin;
+Matrix matrix_of(const Transform& t, Vec3 origin) {
+  const Vec3 x = t.rotation * Vec3{t.scale.x, 0, 0}, y = t.rotation * Vec3{0, t.scale.y, 0}, z = t.rotation * Vec3{0, 0, t.scale.z};
+  const Vec3 p = t.position - origin;
   const auto f = [](double d) { return static_cast<float>(d); };
   return {f(x.x), f(x.y), f(x.z), 0, f(y.x), f(y.y), f(y.z), 0, f(z.x), f(z.y), f(z.z), 0, f(p.x), f(p.y), f(p.z), 1};
 }
 
-void set_material(DrawMesh& mesh, const Material& material) {
+DrawMesh draw_mesh(const SceneNode& node, const Transform& world, DrawList& list) {
+  static const Material usual;
+  const Material& material = node.material ? *node.material : usual;
+  DrawMesh mesh;
+  mesh.shape = list.shape_number(*node.mesh);
+  mesh.texture = list.texture_number(material.texture);
+  mesh.texture_size = static_cast<float>(material.texture_size);
+  mesh.matrix = matrix_of(world, list.origin);
   mesh.color = material.color;
   mesh.color.a *= material.opacity;
   mesh.roughness = static_cast<float>(material.roughness);
   mesh.metalness = static_cast<float>(material.metalness);
   mesh.glow = static_cast<float>(material.glow);
-  mesh.texture = material.texture;
-  mesh.texture_size = static_cast<float>(material.texture_size);
-}
-
-// The light of its own that a file gives has a colour; ours takes the material's. So a part without a picture takes on
-// the colour of its light, as far as that is strong.
-void set_glow(DrawMesh& mesh, const ModelMaterial& of_file) {
-  const Color& glow = of_file.glow;
-  const double strength = std::max({glow.r, glow.g, glow.b});
-  if (strength <= 0) return;
-  mesh.glow = static_cast<float>(strength);
-  if (of_file.image >= 0) return;
-  const double share = std::min(strength, 1.0);
-  const auto mix = [&](double own, double light) { return own + (light / strength - own) * share; };
-  mesh.color = {mix(mesh.color.r, glow.r), mix(mesh.color.g, glow.g), mix(mesh.color.b, glow.b), mesh.color.a};
-}
-
-// A part looks as its file says. Of the node's material, the colour tints it, the opacity clears it, and whatever else
-// differs from a plain material takes the file's place.
-void set_material(DrawMesh& mesh, const ModelMaterial& of_file, const std::optional<Material>& of_node) {
-  mesh.color = of_file.color;
-  mesh.roughness = static_cast<float>(of_file.roughness);
-  mesh.metalness = static_cast<float>(of_file.metalness);
-  set_glow(mesh, of_file);
-  if (!of_node) return;
-  const Material plain, &own = *of_node;
-  if (!(own.color == plain.color)) mesh.color = {mesh.color.r * own.color.r, mesh.color.g * own.color.g, mesh.color.b * own.color.b, mesh.color.a * own.color.a};
-  mesh.color.a *= own.opacity;
-  if (own.roughness != plain.roughness) mesh.roughness = static_cast<float>(own.roughness);
-  if (own.metalness != plain.metalness) mesh.metalness = static_cast<float>(own.metalness);
-  if (own.glow != plain.glow) mesh.glow = static_cast<float>(own.glow);
-  mesh.texture = own.texture;
-  mesh.texture_size = static_cast<float>(own.texture_size);
-}
-
-// A mesh that is built in, or the stand-in of one that is not there.
-DrawMesh draw_shape(const Engine& engine, const SceneNode& node, const Transform& world, Vec3 origin) {
-  static const Material usual;
-  DrawMesh mesh;
-  const bool hull_of_file = node.mesh->shape == ShapeKind::hull && !node.mesh->file.empty() && engine.assets && engine.assets->model(node.mesh->file);
-  mesh.shape = hull_of_file ? engine.with_points(*node.mesh) : *node.mesh;
-  mesh.matrix = matrix_of(world, origin);
-  set_material(mesh, node.material ? *node.material : usual);
-  mesh.key = shape_key(mesh.shape);
   return mesh;
 }
 
-void draw_model(const Engine& engine, NodeId id, const Model& model, const Transform& world, double alpha, DrawList& list) {
-  const SceneNode& node = engine.scene[id];
-  const std::vector<ModelPlace> moved = node.animation ? animated_places(engine, id, model, alpha) : std::vector<ModelPlace>{};
-  Transform place = world;
-  if (node.mesh->shape == ShapeKind::height_field) place.scale = scaled(place.scale, node.mesh->size);
-  DrawMesh mesh;
-  mesh.shape = *node.mesh;
-  const std::uint64_t version = engine.assets->version(node.mesh->file);
-  for (std::size_t i = 0; i < model.parts.size(); ++i) {
-    const auto on = static_cast<std::size_t>(model.parts[i].node);
-    mesh.part = static_cast<int>(i);
-    mesh.matrix = matrix_of(place, list.origin, moved.empty() ? model.nodes[on].place : moved[on]);
-    set_material(mesh, model.materials[static_cast<std::size_t>(model.parts[i].material)], node.material);
-    mesh.key = Hash().add(mesh.shape.file).add(version).add(std::uint64_t{i}).value();
-    list.meshes.push_back(mesh);
-  }
-}
-
-const Model* model_of(const Engine& engine, const Shape& mesh) {
-  const bool drawn = mesh.shape == ShapeKind::mesh || mesh.shape == ShapeKind::height_field;
-  return drawn && engine.assets && !mesh.file.empty() ? engine.assets->model(mesh.file) : nullptr;
+DrawLight lamp(const Light& light, const Transform& world, Vec3 origin) {
+  const auto narrow = [](Vec3 v) {
+    return std::array<float, 3>{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+  };
+  DrawLight result;
+  result.spot = light.type == LightType::spot;
+  result.position = narrow(world.position - origin);
+  result.direction = narrow(world.rotation * Vec3{0, 0, -1});
+  result.color = light.color;
+  result.brightness = static_cast<float>(light.brightness);
+  result.range = static_cast<float>(light.range);
+  result.angle = static_cast<float>(light.angle);
+  return result;
 }
 
 struct Walk {
-  const Engine& engine;
   const Scene& scene;
   double alpha;
   DrawList& list;
-  bool sun_found = false, light_found = false;
+  bool sun_found = false, light_found = false, sky_found = false;
 
   void visit(NodeId id, const Transform& parent) {
     const SceneNode& node = scene[id];
     if (!node.visible || !node.enabled) return;
     const Transform world = scene.interpolated(node, parent, alpha);
-    if (node.mesh) add_mesh(id, node, world);
+    if (node.mesh) list.meshes.push_back(draw_mesh(node, world, list));
     if (node.light) add_light(*node.light, world);
+    if (node.sky && !sky_found) set_sky(*node.sky);
     for (const NodeId child : node.children) visit(child, world);
-  }
-
-  void add_mesh(NodeId id, const SceneNode& node, const Transform& world) {
-    if (const Model* model = model_of(engine, *node.mesh)) draw_model(engine, id, *model, world, alpha, list);
-    else list.meshes.push_back(draw_shape(engine, node, world, list.origin));
   }
 
   void add_light(const Light& light, const Transform& world) {
     light_found = true;
+    if (light.type != LightType::sun) list.lights.push_back(lamp(light, world, list.origin));
     if (light.type != LightType::sun || sun_found) return;
     sun_found = true;
     list.sun_direction = world.rotation * Vec3{0, 0, -1};
@@ -145,10 +73,22 @@ struct Walk {
     list.sun_brightness = light.brightness;
     list.sun_shadow = light.shadow;
   }
+
+  void set_sky(const Sky& sky) {
+    sky_found = true;
+    list.sky_top = sky.top;
+    list.sky_horizon = sky.horizon;
+    list.ground = sky.ground;
+    list.sky_brightness = sky.brightness;
+    list.exposure = sky.exposure;
+    list.fog_color = sky.fog_color;
+    list.fog_start = sky.fog_start;
+    list.fog_end = sky.fog_end;
+  }
 };
 
 CameraView view_of(const Engine& engine, NodeId camera, const Transform& place) {
-  if (!camera) return framing(engine.scene, engine.assets);
+  if (!camera) return framing(engine.scene);
   const Camera& c = *engine.scene[camera].camera;
   return {{place.position, place.rotation}, c.field_of_view, c.near, c.far};
 }
@@ -166,9 +106,8 @@ DrawList extract(const Engine& engine, double alpha, double /*aspect*/) {
   list.far = view.far;
   list.sun_direction = normalized(list.sun_direction);
 
-  Walk walk{engine, engine.scene, alpha, list};
+  Walk walk{engine.scene, alpha, list};
   walk.visit(engine.scene.root(), {});
-  engine.particles.draw(alpha, list.origin, list.particles);
   list.has_sun = walk.sun_found || !walk.light_found;
   return list;
 }

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
 
 #include "assets/mesh.h"
+#include "base/hash.h"
 
 namespace tumble {
 namespace {
@@ -13,19 +13,81 @@ float linear(double value) {
   return static_cast<float>(value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4));
 }
 
-Instance make_instance(const DrawMesh& mesh) {
-  const Matrix& m = mesh.matrix;
-  return {{m[0], m[4], m[8], m[12], m[1], m[5], m[9], m[13], m[2], m[6], m[10], m[14]},
-          linear(is_stand_in(mesh.shape) ? kMissing : mesh.color),
-          {mesh.roughness, mesh.metalness, mesh.glow, 0}};
+// A mesh on its way into a batch.
+struct Item {
+  std::uint64_t group = 0;  // equal: may be drawn together
+  float order = 0;          // near ones first
+  std::uint32_t mesh = 0;
+};
+
+// Most neighbours in a list have the same colour, and the curve's powers are dear.
+class Painter {
+ public:
+  explicit Painter(const DrawList& list) : list_(list) {}
+
+  Instance instance(const DrawMesh& mesh) {
+    const DrawShape& shape = list_.shapes[mesh.shape];
+    const Color& color = shape.part < 0 && is_stand_in(shape.shape) ? kMissing : mesh.color;
+    if (!(color == color_)) {
+      color_ = color;
+      linear_ = tumble::linear(color);
+    }
+    std::array<float, 4> glow{};
+    if (mesh.glow > 0) glow = mesh.glow_color ? tumble::linear(*mesh.glow_color) : linear_;
+    for (float& part : glow) part *= mesh.glow;
+    const Matrix& m = mesh.matrix;
+    return {{m[0], m[4], m[8], m[12], m[1], m[5], m[9], m[13], m[2], m[6], m[10], m[14]},
+            linear_,
+            {mesh.roughness, mesh.metalness, 0, mesh.texture_size},
+            glow};
+  }
+
+ private:
+  const DrawList& list_;
+  Color color_{-1, -1, -1, -1};
+  std::array<float, 4> linear_{};
+};
+
+float squared_distance(const Ball& ball) { return ball.x * ball.x + ball.y * ball.y + ball.z * ball.z; }
+
+// By their far side: ground reaches far, and most of it is hidden by what stands on it.
+float far_side(const Ball& ball) { return std::sqrt(squared_distance(ball)) + ball.radius; }
+
+// A mirroring matrix turns triangles inside out.
+bool is_mirrored(const Matrix& m) {
+  return m[0] * (m[5] * m[10] - m[6] * m[9]) - m[4] * (m[1] * m[10] - m[2] * m[9]) + m[8] * (m[1] * m[6] - m[2] * m[5]) < 0;
 }
 
-float squared_distance(const DrawMesh& mesh) {
-  const Matrix& m = mesh.matrix;
-  return m[12] * m[12] + m[13] * m[13] + m[14] * m[14];
+bool both_sides(const DrawMesh& mesh) { return mesh.two_sided || is_mirrored(mesh.matrix); }
+
+// A built-in face shows the whole picture, and at its edges nothing of the opposite one.
+bool comes_again(const DrawList& list, const DrawMesh& mesh) {
+  return mesh.texture_size > 0 || list.shapes[mesh.shape].part >= 0;
 }
 
-std::uint64_t key_of(const DrawMesh& mesh) { return mesh.key != 0 ? mesh.key : mesh_key(mesh.shape); }
+void add_batches(const DrawList& list, std::vector<Item>& items, bool with_texture, Batches& result) {
+  std::sort(items.begin(), items.end(), [](const Item& a, const Item& b) {
+    if (a.group != b.group) return a.group < b.group;
+    return a.order != b.order ? a.order < b.order : a.mesh < b.mesh;
+  });
+  std::vector<std::pair<float, Batch>> found;
+  Painter painter(list);
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const DrawMesh& mesh = list.meshes[items[i].mesh];
+    if (i == 0 || items[i].group != items[i - 1].group)
+      found.push_back({items[i].order, {mesh.shape, with_texture ? mesh.texture : 0, both_sides(mesh),
+                                        comes_again(list, mesh), static_cast<std::uint32_t>(result.instances.size()), 0}});
+    ++found.back().second.count;
+    result.instances.push_back(painter.instance(mesh));
+  }
+  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (const auto& [order, batch] : found) result.opaque.push_back(batch);
+}
+
+std::uint64_t group_of(const DrawMesh& mesh, std::uint32_t texture) {
+  const bool repeats = texture > 0 && mesh.texture_size > 0;
+  return std::uint64_t{mesh.shape} << 32 | std::uint64_t{texture} << 2 | std::uint64_t{repeats} << 1 | both_sides(mesh);
+}
 
 }  // namespace
 
@@ -33,32 +95,34 @@ std::array<float, 4> linear(const Color& color) {
   return {linear(color.r), linear(color.g), linear(color.b), static_cast<float>(color.a)};
 }
 
-Batches make_batches(const DrawList& list) {
+Batches make_batches(const DrawList& list, const std::vector<Ball>& around, const Wanted& wanted) {
   Batches result;
-  std::vector<std::vector<const DrawMesh*>> groups;
-  std::unordered_map<std::uint64_t, std::size_t> group_of;
-  std::vector<const DrawMesh*> transparent;
-  for (const DrawMesh& mesh : list.meshes) {
-    if (mesh.color.a < 1) {
-      if (mesh.color.a > 0) transparent.push_back(&mesh);
-      continue;
-    }
-    const auto [place, is_new] = group_of.try_emplace(key_of(mesh), groups.size());
-    if (is_new) groups.emplace_back();
-    groups[place->second].push_back(&mesh);
+  std::vector<Item> opaque, transparent;
+  for (std::uint32_t i = 0; i < list.meshes.size(); ++i) {
+    const DrawMesh& mesh = list.meshes[i];
+    if (mesh.color.a <= 0 || !wanted(around[i])) continue;
+    if (mesh.color.a < 1) transparent.push_back({0, -squared_distance(around[i]), i});
+    else opaque.push_back({group_of(mesh, mesh.texture), far_side(around[i]), i});
   }
-  const auto nearer = [](const DrawMesh* a, const DrawMesh* b) { return squared_distance(*a) < squared_distance(*b); };
-  // What is near hides what is far, which then need not be lit.
-  for (auto& group : groups) std::stable_sort(group.begin(), group.end(), nearer);
-  std::stable_sort(transparent.rbegin(), transparent.rend(), nearer);
+  add_batches(list, opaque, true, result);
+  std::stable_sort(transparent.begin(), transparent.end(), [](const Item& a, const Item& b) { return a.order < b.order; });
+  Painter painter(list);
+  for (const Item& item : transparent) {
+    const DrawMesh& mesh = list.meshes[item.mesh];
+    result.transparent.push_back(
+        {mesh.shape, mesh.texture, both_sides(mesh), comes_again(list, mesh),
+         static_cast<std::uint32_t>(result.instances.size()), 1});
+    result.instances.push_back(painter.instance(mesh));
+  }
+  return result;
+}
 
-  const auto add = [&](std::vector<Batch>& batches, const std::vector<const DrawMesh*>& group) {
-    batches.push_back({key_of(*group[0]), &group[0]->shape, static_cast<std::uint32_t>(result.instances.size()),
-                       static_cast<std::uint32_t>(group.size())});
-    for (const DrawMesh* mesh : group) result.instances.push_back(make_instance(*mesh));
-  };
-  for (const auto& group : groups) add(result.opaque, group);
-  for (const DrawMesh* mesh : transparent) add(result.transparent, {mesh});
+Batches make_casters(const DrawList& list, const std::vector<Ball>& around, const Wanted& wanted) {
+  Batches result;
+  std::vector<Item> items;
+  for (std::uint32_t i = 0; i < list.meshes.size(); ++i)
+    if (list.meshes[i].color.a >= 1 && wanted(around[i])) items.push_back({group_of(list.meshes[i], 0), 0, i});
+  add_batches(list, items, false, result);
   return result;
 }
 

@@ -2,9 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
-#include "render/draw_list.h"
+#include "render/bounds.h"
 
 namespace tumble {
 
@@ -15,22 +16,29 @@ inline constexpr Color kMissing{1, 0.2, 0.7, 1};
 struct Instance {
   std::array<float, 12> matrix;  // three rows of the model matrix
   std::array<float, 4> color;
-  std::array<float, 4> material;  // roughness, metalness, glow, nothing
+  std::array<float, 4> material;  // roughness, metalness, nothing, texture size
+  std::array<float, 4> glow;      // light of its own
 };
 
-// Neighbouring instances of one shape.
+// Neighbouring instances of one shape with one texture.
 struct Batch {
-  std::uint64_t key = 0;
-  const Shape* shape = nullptr;  // points into the draw list
+  std::uint32_t shape = 0, texture = 0;  // of the draw list
+  bool two_sided = false;
+  bool again = false;                    // the texture comes again beyond its edges
   std::uint32_t first = 0, count = 0;
 };
 
 struct Batches {
   std::vector<Instance> instances;
-  std::vector<Batch> opaque;       // in order of first appearance
+  std::vector<Batch> opaque;       // the nearest first, and so within each: what is hidden need not be lit
   std::vector<Batch> transparent;  // one by one, from far to near
 };
-Batches make_batches(const DrawList& list);
+
+using Wanted = std::function<bool(const Ball&)>;
+// What `wanted` keeps of the list's meshes; `around` holds their balls.
+Batches make_batches(const DrawList& list, const std::vector<Ball>& around, const Wanted& wanted);
+// Opaque meshes only, whatever they look like: for shadows.
+Batches make_casters(const DrawList& list, const std::vector<Ball>& around, const Wanted& wanted);
 
 // An sRGB colour's light, and its opacity as it is.
 std::array<float, 4> linear(const Color& color);

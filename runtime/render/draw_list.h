@@ -4,7 +4,9 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "base/color.h"
@@ -18,16 +20,29 @@ class AssetLibrary;
 // Column-major 4x4.
 using Matrix = std::array<float, 16>;
 
-// Something to draw with triangles. Built-in meshes are named by their shape; a file's by its path.
+// Triangles that meshes share: those of a built-in shape, or of one part of the model file that the shape names.
+struct DrawShape {
+  Shape shape;
+  int part = -1;                // -1: no model; what should have been one is drawn as a pink box
+  std::uint64_t key = 0;        // equal for equal shapes and parts, in every picture
+};
+// A picture that is laid on meshes.
+struct DrawTexture {
+  std::string file;             // path in the game
+  int image = -1;               // of the pictures inside a model file; -1: the file itself is a picture
+  bool operator==(const DrawTexture&) const = default;
+};
+
+// Something to draw with triangles.
 struct DrawMesh {
-  Shape shape;             // already scaled by nothing: the node's scale is in the matrix
-  Matrix matrix;           // model to picture space (world minus origin)
-  Color color;             // sRGB
+  std::uint32_t shape = 0;      // in DrawList::shapes; see shape_number()
+  std::uint32_t texture = 0;    // in DrawList::textures; 0: none
+  Matrix matrix;                // model to picture space (world minus origin), the node's scale with it
+  Color color;                  // sRGB; tints the texture
   float roughness = 0.7f, metalness = 0, glow = 0;
-  std::uint64_t key = 0;   // equal keys: equal shape, may be drawn as instances
-  int part = -1;           // of the model file that the shape names; -1: a built-in shape
-  std::string texture;     // path in the game; empty: none
-  float texture_size = 0;  // m that it covers before it repeats; 0: once over each face
+  float texture_size = 0;       // m that the texture covers before it repeats; 0: once over each face
+  bool two_sided = false;
+  std::optional<Color> glow_color;  // of the light of its own; none: the mesh's color
 };
 
 // A point or spot light.
@@ -68,7 +83,7 @@ struct DrawText {
 struct DrawPanel {
   float x = 0, y = 0, width = 0, height = 0;
   Color color;
-  float radius = 0;               // of its corners
+  float radius = 0;               // of its corners, ui units; at most half a side counts
   std::string image;              // path in the game: drawn over the whole rectangle, tinted by the color; empty: none
 };
 struct DrawUi {
@@ -87,21 +102,30 @@ struct DrawList {
 
   bool has_sun = true;
   Vec3 sun_direction{0.5, -0.75, -0.433};      // along which its light travels, unit
-  Color sun_color;
+  Color sun_color{1, 0.965, 0.9, 1};           // of the sun that there is without any light
   double sun_brightness = 1;
   bool sun_shadow = true;
   Color sky_top{0.35, 0.55, 0.85, 1}, sky_horizon{0.80, 0.88, 0.95, 1}, ground{0.45, 0.43, 0.40, 1};
 
   double sky_brightness = 1, exposure = 1;
-  Color fog_color;
+  std::optional<Color> fog_color;              // none: what the sky behind looks like
   double fog_start = 0, fog_end = 0;           // m from the eye; fog_end 0: no fog
 
   AssetLibrary* assets = nullptr;              // models and pictures; null: stand-ins
   std::vector<DrawLight> lights;
   std::vector<DrawParticles> particles;
+  std::vector<DrawShape> shapes;               // each once
+  std::vector<DrawTexture> textures{{}};       // the first stands for none
   std::vector<DrawMesh> meshes;
   std::vector<DrawLine> lines;
   std::vector<DrawUi> ui;
+
+  // Where in shapes or textures these are; they are added where they are new. A texture without a file is number 0.
+  std::uint32_t shape_number(const Shape& shape, int part = -1);
+  std::uint32_t texture_number(const std::string& file, int image = -1);
+
+ private:
+  std::unordered_map<std::uint64_t, std::uint32_t> shape_of_key_;
 };
 
 }  // namespace tumble

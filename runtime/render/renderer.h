@@ -21,13 +21,17 @@ class Renderer {
  public:
   virtual ~Renderer() = default;
   virtual void draw(const DrawList& list, int width, int height) = 0;
+  // Returns when the picture drawn last is finished.
+  virtual void finish() {}
   // The picture drawn last; empty for a renderer that makes none.
   virtual Picture picture() = 0;
   virtual bool is_null() const { return false; }
 };
 
+// What is done for a picture: what suits the driver, or all that a graphics card does, or what a processor does.
+enum class DrawQuality { by_driver, full, software };
 // `window` outlives the renderer. Throws Error where a shader does not compile, with the driver's words.
-std::unique_ptr<Renderer> make_gl_renderer(Window& window);
+std::unique_ptr<Renderer> make_gl_renderer(Window& window, DrawQuality quality = DrawQuality::by_driver);
 std::unique_ptr<Renderer> make_null_renderer();
 
 // How wide and high a text is in ui units, without a renderer: the same in headless runs.

@@ -9,7 +9,9 @@
 namespace tumble {
 namespace {
 
+using Eigen::Matrix3d;
 using Eigen::Matrix4d;
+using Eigen::Vector3d;
 
 // Rows are the axes of a rotated frame: takes picture space to that frame.
 Matrix4d rotation_to_frame(Quat rotation) {
@@ -25,34 +27,16 @@ WideMatrix plain(const Matrix4d& m) {
   return result;
 }
 
-struct Box {
-  static constexpr double kHuge = std::numeric_limits<double>::max();
-  Vec3 low{kHuge, kHuge, kHuge}, high{-kHuge, -kHuge, -kHuge};
-
-  void add(Vec3 p, Vec3 half = {}) {
-    low = {std::min(low.x, p.x - half.x), std::min(low.y, p.y - half.y), std::min(low.z, p.z - half.z)};
-    high = {std::max(high.x, p.x + half.x), std::max(high.y, p.y + half.y), std::max(high.z, p.z + half.z)};
-  }
-  void add(const Box& box) {
-    add(box.low);
-    add(box.high);
-  }
-  bool is_empty() const { return low.x > high.x; }
-};
-
 // A mesh's bounds along the axes of a frame that picture space is turned into by `to_frame`.
-Box bounds(const DrawMesh& mesh, Quat to_frame) {
-  const Vec3 half = half_extents(mesh.shape);
-  const Matrix& m = mesh.matrix;
-  const double sizes[3] = {half.x, half.y, half.z};
-  Vec3 reach;
-  for (int i = 0; i < 3; ++i) {
-    const Vec3 axis = to_frame * (Vec3{m[4 * i], m[4 * i + 1], m[4 * i + 2]} * sizes[i]);
-    reach += {std::abs(axis.x), std::abs(axis.y), std::abs(axis.z)};
-  }
-  Box box;
-  box.add(to_frame * Vec3{m[12], m[13], m[14]}, reach);
-  return box;
+Box bounds(const MeshBox& box, const Matrix& m, const Matrix3d& to_frame) {
+  Matrix3d axes;
+  axes << m[0], m[4], m[8], m[1], m[5], m[9], m[2], m[6], m[10];
+  const Vector3d half(box.half.x, box.half.y, box.half.z), middle(box.middle.x, box.middle.y, box.middle.z);
+  const Matrix3d turned = to_frame * axes;
+  const Vector3d reach = turned.cwiseAbs() * half, place = turned * middle + to_frame * Vector3d(m[12], m[13], m[14]);
+  Box result;
+  result.add({place.x(), place.y(), place.z()}, {reach.x(), reach.y(), reach.z()});
+  return result;
 }
 
 // Wide things with nothing below them are ground: they are shadowed but their own shadow falls nowhere.
@@ -65,23 +49,10 @@ bool is_below(const Box& other, const Box& box) {
   return !beside && other.low.y < box.low.y - kSunkIn;
 }
 
-Box shadows_of_casters(const DrawList& list, Quat to_light) {
-  std::vector<Box> upright;
-  for (const DrawMesh& mesh : list.meshes) upright.push_back(bounds(mesh, Quat{}));
-  const auto is_ground = [&](const Box& box) {
-    if (std::min(box.high.x - box.low.x, box.high.z - box.low.z) < kGroundWidth) return false;
-    return std::none_of(upright.begin(), upright.end(), [&](const Box& other) { return is_below(other, box); });
-  };
-  Box result;
-  for (std::size_t i = 0; i < upright.size(); ++i)
-    if (list.meshes[i].color.a >= 1 && !is_ground(upright[i])) result.add(bounds(list.meshes[i], to_light));
-  return result;
-}
-
 // What the camera sees within the shadow distance.
-Box sight(const DrawList& list, double aspect, Quat to_light) {
+Box sight(const DrawList& list, double aspect, double distance, Quat to_light) {
   const ViewRays rays = view_rays(list, aspect);
-  const double distance = std::min(kShadowDistance, list.far);
+  distance = std::min(distance, list.far);
   Box box;
   box.add(Vec3{});
   for (const double x : {-1.0, 1.0})
@@ -111,40 +82,75 @@ WideMatrix camera_matrix(const DrawList& list, double aspect) {
   return plain(projection * rotation_to_frame(list.camera_rotation));
 }
 
-ShadowFit fit_shadow(const DrawList& list, double aspect, int map_size) {
+SunView::SunView(const DrawList& list, const std::vector<MeshBox>& boxes) : list_(list) {
   const bool is_noon = std::abs(list.sun_direction.y) > 0.99;
-  const Quat light = look_rotation(list.sun_direction, is_noon ? Vec3{0, 0, 1} : Vec3{0, 1, 0});
-  const Quat to_light = conjugate(light);
-  const Box casters = shadows_of_casters(list, to_light), seen = sight(list, aspect, to_light);
-  const double left = std::max(casters.low.x, seen.low.x), right = std::min(casters.high.x, seen.high.x);
-  const double down = std::max(casters.low.y, seen.low.y), up = std::min(casters.high.y, seen.high.y);
+  light_ = look_rotation(list.sun_direction, is_noon ? Vec3{0, 0, 1} : Vec3{0, 1, 0});
+  const Matrix3d upright = Matrix3d::Identity(), to_light = rotation_to_frame(light_).topLeftCorner<3, 3>();
+  std::vector<Box> standing;
+  standing.reserve(list.meshes.size());
+  for (const DrawMesh& mesh : list.meshes) standing.push_back(bounds(boxes[mesh.shape], mesh.matrix, upright));
+  const auto is_ground = [&](const Box& box) {
+    if (std::min(box.high.x - box.low.x, box.high.z - box.low.z) < kGroundWidth) return false;
+    return std::none_of(standing.begin(), standing.end(), [&](const Box& other) { return is_below(other, box); });
+  };
+  for (std::size_t i = 0; i < list.meshes.size(); ++i) {
+    const Box box = bounds(boxes[list.meshes[i].shape], list.meshes[i].matrix, to_light);
+    all_.add(box);
+    if (list.meshes[i].color.a >= 1 && !is_ground(standing[i])) casters_.add(box);
+  }
+}
+
+ShadowFit SunView::fit(double aspect, int map_size, double distance) const {
+  const Box seen = sight(list_, aspect, distance, conjugate(light_));
+  const double left = std::max(casters_.low.x, seen.low.x), right = std::min(casters_.high.x, seen.high.x);
+  const double down = std::max(casters_.low.y, seen.low.y), up = std::min(casters_.high.y, seen.high.y);
   ShadowFit fit;
-  if (casters.is_empty() || left >= right || down >= up) return fit;
+  if (casters_.is_empty() || left >= right || down >= up) return fit;
 
   // Along the light everything counts: casters stand before the sight, receivers behind them.
-  Box all;
-  for (const DrawMesh& mesh : list.meshes) all.add(bounds(mesh, to_light));
-  const double nearest = all.high.z + 1, farthest = all.low.z - 1;
-
+  const double nearest = all_.high.z + 1, farthest = all_.low.z - 1;
   constexpr double kFilterMargin = 8;  // texels
-  const double side = stepped_up(std::max(right - left, up - down) * (1 + 2 * kFilterMargin / map_size));
+  constexpr double kLeastSide = 16;    // m; soft edges are some texels wide, and should be so for small things too
   fit.any = true;
-  fit.texel = side / map_size;
-  fit.depth = nearest - farthest;
-  const Vec3 origin = to_light * list.origin;
+  fit.side = stepped_up(std::max({right - left, up - down, kLeastSide}) * (1 + 2 * kFilterMargin / map_size));
+  fit.texel = fit.side / map_size;
+  const double depth = nearest - farthest;
+  const Vec3 origin = conjugate(light_) * list_.origin;
   const auto snapped = [&](double place, double world) {
     return std::round((place + world) / fit.texel) * fit.texel - world;
   };
-  const double x = snapped((left + right) / 2, origin.x), y = snapped((down + up) / 2, origin.y);
+  fit.x = snapped((left + right) / 2, origin.x);
+  fit.y = snapped((down + up) / 2, origin.y);
+  fit.across = light_ * Vec3{1, 0, 0};
+  fit.upward = light_ * Vec3{0, 1, 0};
 
   Matrix4d box = Matrix4d::Identity();
-  box(0, 0) = box(1, 1) = 2 / side;
-  box(0, 3) = -x * 2 / side;
-  box(1, 3) = -y * 2 / side;
-  box(2, 2) = -2 / fit.depth;
-  box(2, 3) = (nearest + farthest) / fit.depth;
-  fit.matrix = plain(box * rotation_to_frame(light));
+  box(0, 0) = box(1, 1) = 2 / fit.side;
+  box(0, 3) = -fit.x * 2 / fit.side;
+  box(1, 3) = -fit.y * 2 / fit.side;
+  box(2, 2) = -2 / depth;
+  box(2, 3) = (nearest + farthest) / depth;
+  const Matrix4d to_clip = box * rotation_to_frame(light_);
+  fit.matrix = plain(to_clip);
+  Matrix4d to_map = Matrix4d::Identity() * 0.5;
+  to_map.col(3) << 0.5, 0.5, 0.5, 1;
+  fit.to_map = plain(to_map * to_clip);
   return fit;
+}
+
+bool ShadowFit::may_hold(const Ball& ball) const {
+  const Vec3 place{ball.x, ball.y, ball.z};
+  const double reach = side / 2 + ball.radius;
+  return std::abs(dot(place, across) - x) <= reach && std::abs(dot(place, upward) - y) <= reach;
+}
+
+double near_shadow_distance(const std::vector<Ball>& around, const Frustum& frustum) {
+  constexpr double kNearest = 10;
+  double nearest = kShadowDistance;
+  for (const Ball& ball : around)
+    if (ball.radius < kGroundWidth && frustum.may_see(ball))
+      nearest = std::min(nearest, std::sqrt(double{ball.x} * ball.x + double{ball.y} * ball.y + double{ball.z} * ball.z) - ball.radius);
+  return std::min(kShadowDistance, stepped_up(std::max(kNearest, 2.5 * nearest)));
 }
 
 }  // namespace tumble

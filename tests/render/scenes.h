@@ -16,6 +16,7 @@ class PictureScene {
  public:
   explicit PictureScene(Vec3 eye = {4, 3, 6}, Vec3 target = {0, 0.5, 0});
   DrawMesh& add(ShapeKind kind, Vec3 position, const std::string& color, Quat rotation = {}, Vec3 scale = {1, 1, 1});
+  DrawMesh& add(const Shape& shape, Vec3 position, const std::string& color, Quat rotation = {}, Vec3 scale = {1, 1, 1});
   void add_line(Vec3 from, Vec3 to, const std::string& color, bool on_top = false);
   void add_panel(float x, float y, float width, float height, const Color& color);
   void add_text(const std::string& text, float x, float y, float size, bool mono = false);
@@ -25,6 +26,18 @@ class PictureScene {
 
 // A ground, a stack of grey boxes, one of each other shape, glass, metal and a thing that glows.
 PictureScene still_life();
+
+// Three lamps and a spot on things that nothing else lights.
+PictureScene lamps_at_night();
+// Columns in two rows that end in fog of the sky's colours.
+PictureScene columns_in_fog();
+struct Assets;
+// A picture "checks.png" of 8 x 8 checks, the upper left one red.
+Assets checks();
+// Shapes with that picture: once over each face, and by the metre.
+PictureScene painted_shapes(const Assets& assets);
+// Grey smoke before and behind a box, glowing sparks, glass before and behind glass.
+PictureScene smoke_and_sparks();
 
 // A picture off screen, of the whole way from opening a window to reading it back.
 Picture draw(const DrawList& list, int width = 640, int height = 360, bool es = false);

@@ -63,10 +63,36 @@ TEST_CASE("golden: lines behind a box are hidden, lines on top are not", "[rende
   check_golden(draw(lines().list), "lines");
 }
 
+TEST_CASE("golden: lamps at night", "[render][golden]") { check_golden(draw(lamps_at_night().list), "lamps"); }
+
+TEST_CASE("golden: columns that end in fog", "[render][golden]") { check_golden(draw(columns_in_fog().list), "fog"); }
+
+TEST_CASE("golden: a picture on all shapes", "[render][golden]") {
+  const Assets assets = checks();
+  check_golden(draw(painted_shapes(assets).list), "painted");
+}
+
+TEST_CASE("golden: smoke, sparks and glass", "[render][golden]") {
+  check_golden(draw(smoke_and_sparks().list), "particles");
+}
+
 TEST_CASE("golden: OpenGL ES draws the same pictures", "[render][golden]") {
   check_golden(draw(still_life().list, 640, 360, true), "still_life");
   check_golden(draw(texts().list, 1280, 720, true), "texts");
   check_golden(draw(lines().list, 640, 360, true), "lines");
+  check_golden(draw(lamps_at_night().list, 640, 360, true), "lamps");
+  check_golden(draw(columns_in_fog().list, 640, 360, true), "fog");
+  const Assets assets = checks();
+  check_golden(draw(painted_shapes(assets).list, 640, 360, true), "painted");
+  check_golden(draw(smoke_and_sparks().list, 640, 360, true), "particles");
+}
+
+TEST_CASE("golden: what a graphics card adds is softer edges, not another picture", "[render][golden]") {
+  const auto window = Window::open(hidden_window());
+  const auto renderer = make_gl_renderer(*window, DrawQuality::full);
+  renderer->draw(still_life().list, 640, 360);
+
+  CHECK(difference(renderer->picture(), draw(still_life().list)).mean < 1.5);
 }
 
 TEST_CASE("golden: the comparison sees a missing shadow", "[render][golden]") {

@@ -154,11 +154,13 @@ TEST_CASE("batches: equal shapes are one batch, near ones first; glass comes one
   scene.add(ShapeKind::box, {0, 0, -6}, "#ff000080");
   scene.add(ShapeKind::box, {0, 0, -5}, "#ff000000");
 
-  const Batches batches = make_batches(scene.list);
+  MeshBoxes boxes;
+  const Batches batches = make_batches(scene.list, balls(scene.list, boxes.find(scene.list)), [](const Ball&) { return true; });
 
   REQUIRE(batches.opaque.size() == 2);
-  CHECK(batches.opaque[0].count == 2);
-  CHECK(batches.instances[0].matrix[11] == -3);
+  CHECK(batches.opaque[0].count == 1);  // the sphere, before both boxes
+  CHECK(batches.opaque[1].count == 2);
+  CHECK(batches.instances[batches.opaque[1].first].matrix[11] == -3);
   REQUIRE(batches.transparent.size() == 2);
   CHECK(batches.instances[batches.transparent[0].first].matrix[11] == -6);
 }

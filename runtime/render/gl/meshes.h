@@ -17,10 +17,12 @@ class GpuMeshes {
   GpuMeshes(const GpuMeshes&) = delete;
   GpuMeshes& operator=(const GpuMeshes&) = delete;
 
-  // Sends one picture's instances; drops meshes that nobody has drawn for a while.
+  // Once for each picture: drops meshes that nobody has drawn for a while.
+  void begin_picture();
+  // Sends the instances of the draws that follow.
   void upload(const Batches& batches);
-  // With the program in use: vertices at locations 0 and 1, instances from 2 on (mesh.vert.glsl).
-  void draw(const std::vector<Batch>& batches);
+  // With the program in use: vertices at locations 0, 1 and 8, instances from 2 on (mesh.vert.glsl).
+  void draw(const DrawList& list, const Batch& batch);
 
  private:
   struct GpuMesh {
@@ -29,7 +31,7 @@ class GpuMeshes {
     std::uint64_t last_drawn = 0;
   };
 
-  const GpuMesh& mesh_of(const Batch& batch);
+  const GpuMesh& find(const DrawList& list, const DrawShape& shape);
   void point_at_instances(std::uint32_t first);
   void remove(const GpuMesh& mesh);
 

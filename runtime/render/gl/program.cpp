@@ -19,8 +19,8 @@ constexpr const char* kDesktopHeader = "#version 330 core\n";
 constexpr const char* kEsHeader =
     "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2DShadow;\n";
 
-std::string source_of(const Gl& gl, Files files) {
-  std::string text = gl.es ? kEsHeader : kDesktopHeader;
+std::string source_of(const Gl& gl, Files files, const std::string& defines) {
+  std::string text = (gl.es ? kEsHeader : kDesktopHeader) + defines;
   for (const char* file : files) {
     const std::string_view part = embedded_shader(file);
     assert(!part.empty());
@@ -37,9 +37,9 @@ std::string log_of(const Gl& gl, GLuint object, bool is_program) {
   return {text, static_cast<std::size_t>(length)};
 }
 
-GLuint compile(const Gl& gl, GLenum stage, Files files) {
+GLuint compile(const Gl& gl, GLenum stage, Files files, const std::string& defines) {
   const GLuint shader = gl.CreateShader(stage);
-  const std::string text = source_of(gl, files);
+  const std::string text = source_of(gl, files, defines);
   const char* start = text.c_str();
   gl.ShaderSource(shader, 1, &start, nullptr);
   gl.CompileShader(shader);
@@ -52,8 +52,10 @@ GLuint compile(const Gl& gl, GLenum stage, Files files) {
 
 }  // namespace
 
-Program::Program(const Gl& gl, Files vertex, Files fragment) : gl_(gl), program_(gl.CreateProgram()) {
-  for (const GLuint shader : {compile(gl, GL_VERTEX_SHADER, vertex), compile(gl, GL_FRAGMENT_SHADER, fragment)}) {
+Program::Program(const Gl& gl, Files vertex, Files fragment, const std::string& defines)
+    : gl_(gl), program_(gl.CreateProgram()) {
+  for (const GLuint shader :
+       {compile(gl, GL_VERTEX_SHADER, vertex, defines), compile(gl, GL_FRAGMENT_SHADER, fragment, defines)}) {
     gl.AttachShader(program_, shader);
     gl.DeleteShader(shader);  // lives on while attached
   }
@@ -84,6 +86,9 @@ void Program::set(const char* name, Vec3 value) const {
 }
 void Program::set(const char* name, const std::array<float, 4>& rgb) const {
   gl_.Uniform3f(location(name), rgb[0], rgb[1], rgb[2]);
+}
+void Program::set(const char* name, const std::vector<std::array<float, 4>>& values) const {
+  if (!values.empty()) gl_.Uniform4fv(location(name), static_cast<GLsizei>(values.size()), values[0].data());
 }
 void Program::set(const char* name, const WideMatrix& value) const {
   Matrix narrow;

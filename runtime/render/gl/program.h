@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "base/math.h"
 #include "render/gl/functions.h"
@@ -14,8 +15,10 @@ namespace tumble {
 
 class Program {
  public:
-  // Files of assets/shaders, each stage's put one after the other. Throws Error with the driver's words.
-  Program(const Gl& gl, std::initializer_list<const char*> vertex, std::initializer_list<const char*> fragment);
+  // Files of assets/shaders, each stage's put one after the other behind `defines`. Throws Error with the driver's
+  // words.
+  Program(const Gl& gl, std::initializer_list<const char*> vertex, std::initializer_list<const char*> fragment,
+          const std::string& defines = "");
   ~Program();
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
@@ -27,6 +30,7 @@ class Program {
   void set(const char* name, double x, double y) const;
   void set(const char* name, Vec3 value) const;
   void set(const char* name, const std::array<float, 4>& rgb) const;
+  void set(const char* name, const std::vector<std::array<float, 4>>& values) const;
   void set(const char* name, const WideMatrix& value) const;
 
  private:

@@ -89,10 +89,11 @@ Picture Target::read() {
   return picture;
 }
 
-ShadowMap::ShadowMap(const Gl& gl, int size) : gl_(gl), size_(size) {
+ShadowMap::ShadowMap(const Gl& gl, int size, int maps) : gl_(gl), size_(size), maps_(maps) {
   gl_.GenTextures(1, &depth_);
   gl_.BindTexture(GL_TEXTURE_2D, depth_);
-  gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, size, size, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, nullptr);
+  gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, size * maps, size, 0, GL_DEPTH_COMPONENT,
+                 GL_UNSIGNED_INT, nullptr);
   for (const GLenum side : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
     gl_.TexParameteri(GL_TEXTURE_2D, side, GL_CLAMP_TO_EDGE);
   for (const GLenum way : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
@@ -117,10 +118,12 @@ ShadowMap::~ShadowMap() {
 
 void ShadowMap::begin() {
   gl_.BindFramebuffer(GL_FRAMEBUFFER, frame_);
-  gl_.Viewport(0, 0, size_, size_);
   gl_.DepthMask(GL_TRUE);
   gl_.Clear(GL_DEPTH_BUFFER_BIT);
+  use_map(0);
 }
+
+void ShadowMap::use_map(int map) { gl_.Viewport(map * size_, 0, size_, size_); }
 
 void ShadowMap::bind(int unit) {
   gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));

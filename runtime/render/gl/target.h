@@ -34,22 +34,25 @@ class Target {
   Buffers drawn_, smooth_;  // smooth_ only where there are samples to be averaged
 };
 
-// A texture of depths seen from the sun.
+// A texture of depths seen from the sun: square maps side by side.
 class ShadowMap {
  public:
-  ShadowMap(const Gl& gl, int size);
+  ShadowMap(const Gl& gl, int size, int maps);
   ~ShadowMap();
   ShadowMap(const ShadowMap&) = delete;
   ShadowMap& operator=(const ShadowMap&) = delete;
 
   int size() const { return size_; }
+  int maps() const { return maps_; }
+  // Clears all; draws go into the first one then.
   void begin();
+  void use_map(int map);
   // For a sampler2DShadow, on the given texture unit.
   void bind(int unit);
 
  private:
   const Gl& gl_;
-  int size_ = 0;
+  int size_ = 0, maps_ = 0;
   GLuint frame_ = 0, depth_ = 0;
 };
 

@@ -12,12 +12,6 @@
 
 namespace tumble {
 
-// A picture that is laid on something.
-struct DrawTexture {
-  std::string file;  // path in the game
-  int image = -1;    // of the pictures inside a model file; -1: the file itself is a picture
-};
-
 class Textures {
  public:
   explicit Textures(const Gl& gl);
