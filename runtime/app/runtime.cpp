@@ -232,7 +232,8 @@ bool Runtime::frame() {
   impl.last_frame = now;
   impl.first_frame = false;
   const double h = impl.game->tick_seconds();
-  impl.accumulator += real * impl.game->script().module_settings().time_scale;
+  const ModuleSettings& settings = impl.game->script().module_settings();
+  impl.accumulator += real * (settings.paused ? 1 : settings.time_scale);
   int ticks = 0;
   while (impl.accumulator >= h && !impl.quit) {
     if (++ticks > kMostTicksAFrame) {  // too slow to keep up: the game slows down rather than freezing

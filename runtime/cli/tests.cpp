@@ -31,15 +31,20 @@ std::vector<fs::path> lua_files(const fs::path& folder) {
 }
 
 // What a script that must fail says: its first failure within two seconds of game time, or how it could not be loaded.
-std::string first_failure(const fs::path& script) {
+std::string first_failure(const fs::path& script, bool drawn) {
   std::string text;
-  Runtime runtime;
+  Options options;
+  options.offscreen = drawn;
+  Runtime runtime(options);
   runtime.on_script_error([&](const ScriptError& error) {
     if (text.empty()) text = error.text;
   });
   try {
     runtime.load(script.string());
-    for (int i = 0; i < 120 && text.empty() && runtime.is_loaded(); ++i) runtime.tick();
+    for (int i = 0; i < 120 && text.empty() && runtime.is_loaded(); ++i) {
+      runtime.tick();
+      runtime.draw();
+    }
   } catch (const Error& error) {
     if (text.empty()) text = error.what();
   }
@@ -103,12 +108,12 @@ void run_game_tests(const fs::path& game, Tally& tally) {
   conclude(name, before, tally);
 }
 
-void run_error_scripts(const fs::path& folder, Tally& tally) {
+void run_error_scripts(const fs::path& folder, bool drawn, Tally& tally) {
   const Tally before = tally;
   for (const fs::path& script : lua_files(folder)) {
     const std::string text = read_file(script), mark = "-- expect: ";
     const std::string expected = text.starts_with(mark) ? text.substr(mark.size(), text.find('\n') - mark.size()) : "";
-    const std::string got = first_failure(script);
+    const std::string got = first_failure(script, drawn);
     const bool right = !expected.empty() && got.find(expected) != std::string::npos;
     if (!right)
       std::cout << "FAILED " << script.string() << "\n  expected an error with: " << (expected.empty() ? "(its first line must be `-- expect: TEXT`)" : expected)

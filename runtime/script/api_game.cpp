@@ -17,7 +17,7 @@ std::int64_t tick(Script& s) { return s.phase() == Phase::declare ? 0 : static_c
 double tick_seconds(Script& s) { return 1 / s.engine().settings.tick_rate; }
 double scale(Script& s) { return s.settings().time_scale; }
 void set_scale(Script& s, double v) {
-  if (v < 0 || v > 100) fail("time.scale: 0 to 100 expected, got ", number_text(v));
+  if (v < 0.01 || v > 100) fail("time.scale: 0.01 to 100 expected, got ", number_text(v), "; time.paused = true stops time");
   s.settings().time_scale = v;
 }
 bool paused(Script& s) { return s.settings().paused; }
@@ -97,7 +97,7 @@ void rows_time(Area& a) {
   a.prop<now>("now", "Game seconds since the start; it stands while paused.");
   a.prop<tick>("tick", "Ticks since the start.");
   a.prop<tick_seconds>("tick_seconds", "The length of a tick, s.");
-  a.prop<scale, set_scale>("scale", "1 is normal, 0.5 half as fast: fewer ticks a second, each as long as ever.");
+  a.prop<scale, set_scale>("scale", "1 is normal, 0.5 half as fast: fewer ticks a second, each as long as ever. 0.01 to 100; menus of a paused game run as ever.");
   a.prop<paused, set_paused>("paused", "Stops updates, physics and tasks; input handlers of main.lua and draw_ui go on.");
   a.fn<step>("step", "One tick while paused.").acts();
 }

@@ -207,8 +207,10 @@ struct CoreApi {
     });
   }
   static int take_lists_changed(lua_State* L) {
-    lua_pushboolean(L, script(L).lists_changed_);
-    script(L).lists_changed_ = false;
+    Script& s = script(L);
+    lua_pushboolean(L, s.lists_changed_);
+    s.stays_changed_ |= s.lists_changed_;
+    s.lists_changed_ = false;
     return 1;
   }
   static int lists_changed(lua_State* L) { return script(L).lists_changed(), 0; }

@@ -283,7 +283,7 @@ class Script {
   std::uint64_t seed_ = 1;
   std::uint32_t next_serial_ = 1;
   ModuleSettings first_settings_;                      // from game.json: what the text's settings start from
-  bool lists_changed_ = true;
+  bool lists_changed_ = true, stays_changed_ = true;
   std::unique_ptr<Engine> staging_;
   std::unique_ptr<World> empty_world_;
   ModuleSettings live_settings_, staging_settings_;

@@ -211,6 +211,7 @@ void Script::remove_dying() {
 
 // Stays are only made for bodies whose node has a handler for them.
 void Script::refresh_stays() {
+  stays_changed_ = false;
   for (const NodeId node : scripted_nodes()) {
     if (!live_.body(node)) continue;
     bool hears = false;
@@ -238,7 +239,7 @@ void Script::flush() {
   }
   call_boot("start_new", 0, 0, Phase::run);
   remove_dying();
-  if (lists_changed_) refresh_stays();
+  if (lists_changed_ || stays_changed_) refresh_stays();
 }
 
 void Script::request_scene(const std::string& path) {

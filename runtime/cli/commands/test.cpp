@@ -28,8 +28,9 @@ std::vector<fs::path> folders_in(const fs::path& folder) {
 }
 
 void run_lua_suite(const fs::path& folder, Tally& tally) {
-  if (folder.filename() == "errors") run_error_scripts(folder, tally);
-  else run_game_tests(folder, tally);
+  if (folder.filename() != "errors") return run_game_tests(folder, tally);
+  run_error_scripts(folder, false, tally);
+  run_error_scripts(folder / "drawn", true, tally);
 }
 
 // From inside the tree, so that names are short: tests/lua/api, games/basketball.

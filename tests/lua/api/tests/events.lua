@@ -191,3 +191,16 @@ test("a NaN or an infinity is refused where it is given", function()
   expect(function() ball.body.mass = math.huge end):raises("finite")
   expect(ball.position):near(vec3(0, 5, 0), 0.1)
 end)
+
+test("a stay that is asked for in play is told from then on", function()
+  local box = scene.add { name = "box", position = vec3(0, 0.5, 0), mesh = "box", body = { can_sleep = false } }
+  wait(0.2)
+  local stays = 0
+  function box.on_collision_stay(hit) stays = stays + 1 end
+  wait(0.5)
+  expect(stays):above(20)
+  box.on_collision_stay = nil
+  local before = stays
+  wait(0.2)
+  expect(stays):equals(before)
+end)
