@@ -69,16 +69,17 @@ TEST_CASE("extract: far from the origin millimetres are still there", "[engine]"
   CHECK(place_of(extract(game, 1, kWide).meshes[0]).x == Approx(0.001).epsilon(1e-4));
 }
 
-TEST_CASE("extract: equal shapes share a key, whatever fields they do not read", "[engine]") {
+TEST_CASE("extract: equal shapes are one, whatever fields they do not read", "[engine]") {
   PlainGame game;
   add_camera(game, {});
   for (const Map& mesh : {Map{{"shape", "sphere"}}, Map{{"shape", "sphere"}, {"size", Vec3{9, 9, 9}}}, Map{{"shape", "sphere"}, {"radius", 2}}})
     game.make({{"mesh", mesh}});
 
-  const auto meshes = extract(game, 1, kWide).meshes;
+  const DrawList list = extract(game, 1, kWide);
 
-  CHECK(meshes[0].key == meshes[1].key);
-  CHECK_FALSE(meshes[0].key == meshes[2].key);
+  CHECK(list.shapes.size() == 2);
+  CHECK(list.meshes[0].shape == list.meshes[1].shape);
+  CHECK(list.shapes[list.meshes[2].shape].shape.radius == 2);
 }
 
 TEST_CASE("extract: a material's color, opacity and numbers", "[engine]") {
@@ -107,6 +108,59 @@ TEST_CASE("extract: without a light there is a sun, with a lamp only there is no
   CHECK(list.has_sun);
   CHECK(list.sun_brightness == 3);
   CHECK(distance(list.sun_direction, {0, -1, 0}) < 1e-12);
+}
+
+TEST_CASE("extract: lamps stand where their nodes are, spots shine along them", "[engine]") {
+  PlainGame game;
+  add_camera(game, {1, 0, 0});
+  game.make({{"light", Map{{"type", "spot"}, {"color", "red"}, {"brightness", 3}, {"range", 7}, {"angle_degrees", 40}}},
+             {"position", Vec3{1, 5, 0}}, {"rotation_degrees", Vec3{-90, 0, 0}}});
+  game.make({{"light", "point"}, {"visible", false}});
+
+  const DrawList list = extract(game, 1, kWide);
+
+  REQUIRE(list.lights.size() == 1);
+  const DrawLight& lamp = list.lights[0];
+  CHECK(lamp.spot);
+  CHECK(lamp.position == std::array<float, 3>{0, 5, 0});
+  CHECK(lamp.direction[1] == Approx(-1));
+  CHECK(lamp.color == Color{1, 0, 0, 1});
+  CHECK(lamp.brightness == 3);
+  CHECK(lamp.range == 7);
+  CHECK(lamp.angle == Approx(radians(40)));
+}
+
+TEST_CASE("extract: the first visible sky counts", "[engine]") {
+  PlainGame game;
+  add_camera(game, {});
+  game.make({{"sky", Map{{"top", "red"}}}, {"visible", false}});
+  game.make({{"sky", Map{{"top", "blue"}, {"fog_color", "white"}, {"fog_start", 5}, {"fog_end", 50}, {"brightness", 0.5}, {"exposure", 2}}}});
+  game.make({{"sky", Map{{"top", "lime"}}}});
+
+  const DrawList list = extract(game, 1, kWide);
+
+  CHECK(list.sky_top == Color{0, 0, 1, 1});
+  CHECK(list.fog_color == Color{1, 1, 1, 1});
+  CHECK(list.fog_start == 5);
+  CHECK(list.fog_end == 50);
+  CHECK(list.sky_brightness == 0.5);
+  CHECK(list.exposure == 2);
+}
+
+TEST_CASE("extract: textures are listed once each", "[engine]") {
+  PlainGame game;
+  add_camera(game, {});
+  for (const char* file : {"a.png", "b.png", "a.png"})
+    game.make({{"mesh", "box"}, {"material", Map{{"texture", file}, {"texture_size", 2}}}});
+  game.make({{"mesh", "box"}});
+
+  const DrawList list = extract(game, 1, kWide);
+
+  REQUIRE(list.textures.size() == 3);
+  CHECK(list.textures[list.meshes[1].texture].file == "b.png");
+  CHECK(list.meshes[0].texture == list.meshes[2].texture);
+  CHECK(list.meshes[0].texture_size == 2);
+  CHECK(list.meshes[3].texture == 0);
 }
 
 TEST_CASE("camera: the first active and enabled one in tree order", "[engine]") {

@@ -155,6 +155,32 @@ TEST_CASE("mesh: what a file is to give is a stand-in box until it does", "[asse
   CHECK(volume(make_mesh(shape)) == Approx(1));
 }
 
+TEST_CASE("mesh: a picture lies on every face, within 0 and 1", "[assets]") {
+  for (const ShapeKind kind : kSolids) {
+    INFO(name_of(kind));
+    float low = 1, high = 0;
+    for (const Vertex& vertex : make_mesh(shape_of(kind)).vertices)
+      for (const float part : vertex.uv) {
+        low = std::min(low, part);
+        high = std::max(high, part);
+      }
+    CHECK(std::abs(low) < 1e-6f);
+    CHECK(std::abs(high - 1) < 1e-6f);
+  }
+}
+
+TEST_CASE("mesh: on a box's upright faces and its top a picture stands upright and unmirrored", "[assets]") {
+  const Mesh mesh = make_mesh(shape_of(ShapeKind::box));
+  for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
+    const Vertex &a = mesh.vertices[mesh.triangles[i]], &b = mesh.vertices[mesh.triangles[i + 1]], &c = mesh.vertices[mesh.triangles[i + 2]];
+    // Seen from outside triangles are counter-clockwise; with v down the picture's turn the other way.
+    const float turn = (b.uv[0] - a.uv[0]) * (c.uv[1] - a.uv[1]) - (b.uv[1] - a.uv[1]) * (c.uv[0] - a.uv[0]);
+    CHECK(turn < 0);
+    if (a.normal[1] == 0)
+      for (const Vertex* vertex : {&a, &b, &c}) CHECK((vertex->uv[1] == 0) == (vertex->position[1] > 0));
+  }
+}
+
 TEST_CASE("mesh: keys tell shapes apart", "[assets]") {
   Shape a = shape_of(ShapeKind::sphere), b = a, c = shape_of(ShapeKind::capsule);
   b.radius = 0.71;
