@@ -1,6 +1,9 @@
 #include "engine/extract.h"
 
+#include <algorithm>
 #include <array>
+
+#include "engine/animation.h"
 
 namespace tumble {
 
@@ -9,18 +12,20 @@ namespace {
 constexpr double kUiHeight = 720;
 
 // Model to picture space: the columns are the turned and stretched axes, then the place seen from the camera.
-Matrix matrix_of(const Transform& t, Vec3 origin) {
-  const Vec3 x = t.rotation * Vec3{t.scale.x, 0, 0}, y = t.rotation * Vec3{0, t.scale.y, 0}, z = t.rotation * Vec3{0, 0, t.scale.z};
-  const Vec3 p = t.position - origin;
+Matrix matrix_of(const Transform& t, Vec3 origin, const ModelPlace& part = {}) {
+  const auto axis = [&](Vec3 v) { return t.rotation * scaled(t.scale, v); };
+  const Vec3 x = axis(part.x), y = axis(part.y), z = axis(part.z), p = t.position + axis(part.position) - origin;
   const auto f = [](double d) { return static_cast<float>(d); };
   return {f(x.x), f(x.y), f(x.z), 0, f(y.x), f(y.y), f(y.z), 0, f(z.x), f(z.y), f(z.z), 0, f(p.x), f(p.y), f(p.z), 1};
 }
 
-DrawMesh draw_mesh(const SceneNode& node, const Transform& world, DrawList& list) {
+// A mesh that is built in, or the stand-in of one that is not there.
+DrawMesh draw_shape(const Engine& engine, const SceneNode& node, const Transform& world, DrawList& list) {
   static const Material usual;
   const Material& material = node.material ? *node.material : usual;
+  const bool hull_of_file = node.mesh->shape == ShapeKind::hull && engine.assets && !node.mesh->file.empty() && engine.assets->model(node.mesh->file);
   DrawMesh mesh;
-  mesh.shape = list.shape_number(*node.mesh);
+  mesh.shape = list.shape_number(hull_of_file ? engine.with_points(*node.mesh) : *node.mesh);
   mesh.texture = list.texture_number(material.texture);
   mesh.texture_size = static_cast<float>(material.texture_size);
   mesh.matrix = matrix_of(world, list.origin);
@@ -30,6 +35,59 @@ DrawMesh draw_mesh(const SceneNode& node, const Transform& world, DrawList& list
   mesh.metalness = static_cast<float>(material.metalness);
   mesh.glow = static_cast<float>(material.glow);
   return mesh;
+}
+
+void look_like_file(DrawMesh& mesh, const ModelMaterial& material, const std::string& file, DrawList& list) {
+  mesh.texture = material.image < 0 ? 0 : list.texture_number(file, material.image);
+  mesh.texture_size = 0;
+  mesh.color = material.color;
+  mesh.roughness = static_cast<float>(material.roughness);
+  mesh.metalness = static_cast<float>(material.metalness);
+  mesh.two_sided = material.two_sided;
+  const double strength = std::max({material.glow.r, material.glow.g, material.glow.b});
+  mesh.glow = static_cast<float>(strength);
+  mesh.glow_color.reset();
+  if (strength > 0) mesh.glow_color = Color{material.glow.r / strength, material.glow.g / strength, material.glow.b / strength, 1};
+}
+
+// Of the node's own material, the colour tints the file's, the opacity clears it, and whatever else differs from a plain
+// material takes the file's place.
+void look_like_node(DrawMesh& mesh, const Material& own, DrawList& list) {
+  const Material plain;
+  const Color& tint = own.color;
+  if (!(tint == plain.color)) mesh.color = {mesh.color.r * tint.r, mesh.color.g * tint.g, mesh.color.b * tint.b, mesh.color.a * tint.a};
+  mesh.color.a *= own.opacity;
+  if (own.roughness != plain.roughness) mesh.roughness = static_cast<float>(own.roughness);
+  if (own.metalness != plain.metalness) mesh.metalness = static_cast<float>(own.metalness);
+  if (own.glow != plain.glow) {
+    mesh.glow = static_cast<float>(own.glow);
+    mesh.glow_color.reset();
+  }
+  if (own.texture.empty()) return;
+  mesh.texture = list.texture_number(own.texture);
+  mesh.texture_size = static_cast<float>(own.texture_size);
+}
+
+void draw_model(const Engine& engine, NodeId id, const Model& model, const Transform& world, double alpha, DrawList& list) {
+  const SceneNode& node = engine.scene[id];
+  const std::vector<ModelPlace> moved = node.animation ? animated_places(engine, id, model, alpha) : std::vector<ModelPlace>{};
+  Transform place = world;
+  if (node.mesh->shape == ShapeKind::height_field) place.scale = scaled(place.scale, node.mesh->size);
+  for (std::size_t i = 0; i < model.parts.size(); ++i) {
+    const ModelPart& part = model.parts[i];
+    const auto on = static_cast<std::size_t>(part.node);
+    DrawMesh mesh;
+    mesh.shape = list.shape_number(*node.mesh, static_cast<int>(i));
+    mesh.matrix = matrix_of(place, list.origin, moved.empty() ? model.nodes[on].place : moved[on]);
+    look_like_file(mesh, model.materials[static_cast<std::size_t>(part.material)], node.mesh->file, list);
+    if (node.material) look_like_node(mesh, *node.material, list);
+    list.meshes.push_back(mesh);
+  }
+}
+
+const Model* model_of(const Engine& engine, const Shape& mesh) {
+  const bool drawn = mesh.shape == ShapeKind::mesh || mesh.shape == ShapeKind::height_field;
+  return drawn && engine.assets && !mesh.file.empty() ? engine.assets->model(mesh.file) : nullptr;
 }
 
 DrawLight lamp(const Light& light, const Transform& world, Vec3 origin) {
@@ -48,6 +106,7 @@ DrawLight lamp(const Light& light, const Transform& world, Vec3 origin) {
 }
 
 struct Walk {
+  const Engine& engine;
   const Scene& scene;
   double alpha;
   DrawList& list;
@@ -57,10 +116,15 @@ struct Walk {
     const SceneNode& node = scene[id];
     if (!node.visible || !node.enabled) return;
     const Transform world = scene.interpolated(node, parent, alpha);
-    if (node.mesh) list.meshes.push_back(draw_mesh(node, world, list));
+    if (node.mesh) add_mesh(id, node, world);
     if (node.light) add_light(*node.light, world);
     if (node.sky && !sky_found) set_sky(*node.sky);
     for (const NodeId child : node.children) visit(child, world);
+  }
+
+  void add_mesh(NodeId id, const SceneNode& node, const Transform& world) {
+    if (const Model* model = model_of(engine, *node.mesh)) draw_model(engine, id, *model, world, alpha, list);
+    else list.meshes.push_back(draw_shape(engine, node, world, list));
   }
 
   void add_light(const Light& light, const Transform& world) {
@@ -88,7 +152,7 @@ struct Walk {
 };
 
 CameraView view_of(const Engine& engine, NodeId camera, const Transform& place) {
-  if (!camera) return framing(engine.scene);
+  if (!camera) return framing(engine.scene, engine.assets);
   const Camera& c = *engine.scene[camera].camera;
   return {{place.position, place.rotation}, c.field_of_view, c.near, c.far};
 }
@@ -106,8 +170,9 @@ DrawList extract(const Engine& engine, double alpha, double /*aspect*/) {
   list.far = view.far;
   list.sun_direction = normalized(list.sun_direction);
 
-  Walk walk{engine.scene, alpha, list};
+  Walk walk{engine, engine.scene, alpha, list};
   walk.visit(engine.scene.root(), {});
+  engine.particles.draw(alpha, list.origin, list.particles);
   list.has_sun = walk.sun_found || !walk.light_found;
   return list;
 }

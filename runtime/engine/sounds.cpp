@@ -138,6 +138,8 @@ void Sounds::tick(double seconds, bool paused) {
     sound.fresh = false;
     if (engine_.assets && sound.version != engine_.assets->version(sound.file)) take_file(sound);  // it was saved
   }
+  for (const PlayingSound& sound : playing_)
+    if (sound.of_node && sound.node && !sound.stopped() && sound.ended()) engine_.scene[sound.node].sound->playing = false;
   std::erase_if(playing_, [](const PlayingSound& sound) {
     return sound.stopped() ? sound.stopped_for > sound.fade_out + kKept : sound.ended();
   });
@@ -152,7 +154,6 @@ bool Sounds::follow(NodeId node, Watched& watched) {
     return false;
   }
   Sound& sound = *content->sound;
-  if (watched.sound && !playing && !watched.again) sound.playing = false;  // it came to its end
   if (playing && (watched.again || !sound.playing || playing->file != sound.file)) {
     end(*playing, 0);
     playing = nullptr;

@@ -14,7 +14,7 @@
 ---@field on_release? fun(self: behaviour, name: string) It went up.
 ---@field on_pointer_move? fun(self: behaviour, dx: number, dy: number) The pointer moved, in ui units.
 ---@field on_wheel? fun(self: behaviour, steps: number) The wheel turned, away from you.
----@field on_text? fun(self: behaviour, text: string) Text was typed.
+---@field on_text? fun(self: behaviour, text: string) Text was typed, with whatever input method the person uses; it is on only where something has this function.
 ---@field on_collision_enter? fun(self: behaviour, hit: hit) A body began to touch this one.
 ---@field on_collision_stay? fun(self: behaviour, hit: hit) A body goes on touching this one; told only where a handler exists.
 ---@field on_collision_exit? fun(self: behaviour, hit: hit) A body ceased to touch this one.
@@ -22,6 +22,7 @@
 ---@field on_trigger_stay? fun(self: behaviour, hit: hit) It is still inside.
 ---@field on_trigger_exit? fun(self: behaviour, hit: hit) It left.
 ---@field on_joint_break? fun(self: behaviour, joint: joint) A joint of this body broke.
+---@field on_animation_end? fun(self: behaviour, clip: string) A clip that does not loop came to its end.
 ---@field on_sleep? fun(self: behaviour) The body fell asleep.
 ---@field on_wake? fun(self: behaviour) The body woke.
 ---@field on_reload? fun(self: behaviour) After changed files were taken over.

@@ -11,6 +11,7 @@
 ---@field tick_rate? number Ticks of game logic and physics in a second, Hz.
 ---@field window? window_options The window.
 ---@field physics? physics_options The physical world; the same keys as the module's.
+---@field sound? sound_settings_options Groups of sounds.
 ---@field actions? table<string, (string)[]|string> Names for input, each with the raw names that trigger it: "jump": ["space", "pad_a"].
 
 --- The window's size.
@@ -18,3 +19,7 @@
 ---@field width? integer Pixels.
 ---@field height? integer Pixels.
 ---@field fullscreen? boolean Start in full screen?
+
+--- What is to be known of sounds before any plays.
+---@class sound_settings_options
+---@field groups? (string)[]|string Groups of sounds with a volume of their own, beside "effects" and "music": ["voices"].

@@ -13,5 +13,5 @@
 ---@field on_release? fun(name: string) It went up.
 ---@field on_pointer_move? fun(dx: number, dy: number) The pointer moved, in ui units.
 ---@field on_wheel? fun(steps: number) The wheel turned, away from you.
----@field on_text? fun(text: string) Text was typed.
+---@field on_text? fun(text: string) Text was typed, with whatever input method the person uses; it is on only where something has this function.
 ---@field on_reload? fun() After changed files were taken over.

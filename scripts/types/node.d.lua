@@ -40,6 +40,7 @@
 ---@field on_trigger_stay? fun(hit: hit) It is still inside.
 ---@field on_trigger_exit? fun(hit: hit) It left.
 ---@field on_joint_break? fun(joint: joint) A joint of this body broke.
+---@field on_animation_end? fun(clip: string) A clip that does not loop came to its end.
 ---@field on_sleep? fun() The body fell asleep.
 ---@field on_wake? fun() The body woke.
 local node = {}
@@ -159,11 +160,11 @@ function node:get_scale() end
 --- One shape of a body. What it leaves open holds as the body says.
 ---@class collider_options
 ---@field shape? "box"|"sphere"|"capsule"|"cylinder"|"cone"|"pyramid"|"plane"|"torus"|"hull"|"mesh"|"height_field" Which shape; it reads only the fields that are its own.
----@field size? vec3 Edge lengths of a box, a pyramid, a plane (x and z) or a height field, m.
+---@field size? vec3 Edge lengths of a box, a pyramid, a plane (x and z) or a height field, m; a model has its own.
 ---@field radius? number Of a sphere, capsule, cylinder, cone; of a torus, from the centre to the middle of its tube, m.
 ---@field height? number Of a capsule, cylinder or cone over all, rounded ends included, m.
 ---@field thickness? number Of a torus: the diameter of its tube, m.
----@field file? string The model of a mesh or hull, or the picture of a height field.
+---@field file? string The glTF model of a mesh or hull (.glb, .gltf), or the picture whose brightness is a height field; with nothing but a file the shape is a mesh.
 ---@field points? (vec3)[]|vec3 Corner points of a hull, m.
 ---@field offset? vec3 Where its centre is in the body's frame, m.
 ---@field rotation? quat How it is turned in the body's frame.

@@ -6,7 +6,7 @@
 ---@field now number Game seconds since the start; it stands while paused.
 ---@field tick integer Ticks since the start.
 ---@field tick_seconds number The length of a tick, s.
----@field scale number 1 is normal, 0.5 half as fast: fewer ticks a second, each as long as ever.
+---@field scale number 1 is normal, 0.5 half as fast: fewer ticks a second, each as long as ever. 0.01 to 100; menus of a paused game run as ever.
 ---@field paused boolean Stops updates, physics and tasks; input handlers of main.lua and draw_ui go on.
 time = {}
 

@@ -32,6 +32,8 @@ struct FileGame : PlainGame {
 
 Vec3 place_of(const DrawMesh& mesh, Vec3 origin) { return Vec3{mesh.matrix[12], mesh.matrix[13], mesh.matrix[14]} + origin; }
 
+const DrawShape& shape_of(const DrawList& list, std::size_t mesh) { return list.shapes.at(list.meshes.at(mesh).shape); }
+
 double volume_of(const Shape& shape) {
   BodyDef body;
   body.density = 1;
@@ -66,14 +68,19 @@ TEST_CASE("model files: each part is drawn where its node is, looking as the fil
   const DrawList list = extract(game, 1, kWide);
 
   REQUIRE(list.meshes.size() == 4);
-  CHECK(list.meshes[0].part == 0);
-  CHECK(list.meshes[0].shape.shape == ShapeKind::mesh);
-  CHECK(list.meshes[0].key != list.meshes[1].key);
+  CHECK(shape_of(list, 0).part == 0);
+  CHECK(shape_of(list, 0).shape.shape == ShapeKind::mesh);
+  CHECK(shape_of(list, 0).key != shape_of(list, 1).key);
   CHECK(distance(place_of(list.meshes[0], list.origin), {10, 0, 0}) < 1e-5);
   CHECK(distance(place_of(list.meshes[2], list.origin), {10, 4, 0}) < 1e-5);  // 2 m up in the file, twice as large
   CHECK(list.meshes[0].roughness == 0.25f);
   CHECK(list.meshes[0].metalness == 0.75f);
+  CHECK(list.meshes[0].two_sided);
+  REQUIRE(list.meshes[0].glow_color);
+  CHECK(list.meshes[0].glow_color->g == 1);
+  CHECK(list.meshes[0].glow == Approx(0.735357).epsilon(1e-5));  // light of one half on the sRGB curve
   CHECK(list.meshes[1].color.g == Approx(1));
+  CHECK(list.textures.at(list.meshes[1].texture) == DrawTexture{"cube.glb", 0});
 }
 
 TEST_CASE("model files: the node's material tints and replaces, its defaults change nothing", "[engine][assets]") {
@@ -102,8 +109,8 @@ TEST_CASE("model files: a missing one is said when it is named, and a box stands
   CHECK_THAT(game.lines[1], Catch::Contains("no file 'bark.png'"));
   const DrawList list = extract(game, 1, kWide);
   REQUIRE(list.meshes.size() == 1);
-  CHECK(list.meshes[0].part == -1);
-  CHECK(is_stand_in(list.meshes[0].shape));
+  CHECK(shape_of(list, 0).part == -1);
+  CHECK(is_stand_in(shape_of(list, 0).shape));
   CHECK(game.depth(0, 0) == Approx(9.5));
 }
 
@@ -160,7 +167,7 @@ TEST_CASE("model files: a picture's brightness is a height field", "[engine][phy
   CHECK(game.depth(3.999, -1) == Approx(8.5).margin(3e-3));
   const DrawList list = extract(game, 1, kWide);
   REQUIRE(list.meshes.size() == 1);
-  CHECK(list.meshes[0].part == 0);
+  CHECK(shape_of(list, 0).part == 0);
   CHECK(list.meshes[0].matrix[0] == 8);
 }
 

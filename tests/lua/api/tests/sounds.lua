@@ -100,7 +100,7 @@ test("music goes on through the same call", function()
 end)
 
 test("mistakes have sentences", function()
-  expect(function() sound.play(tone, { volume = 9 }) end):raises("sound.play: volume must be at most 4 (got 9)")
+  expect(function() sound.play(tone, { volume = 9 }) end):raises("sound.play: volume must be from 0 to 4 (got 9)")
   expect(function() sound.play(tone, { at = 3 }) end):raises("sound.play: at: vec3 or node expected, got a number")
   expect(function() sound.play(tone, { group = "efects" }) end):raises("sound.play: no group 'efects'; did you mean 'effects'?")
   expect(function() sound.groups.musik = 1 end):raises("sound.groups: no group 'musik'; did you mean 'music'?")
