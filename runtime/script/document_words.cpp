@@ -107,7 +107,6 @@ void fill_bot(Area& a) {
   a.scripted("tap", "Presses it and lets go after some seconds, one tick where none are given.", {name, {"seconds", "number", true}});
   a.scripted("set_axis", "-1 to 1: presses the first name by the negative and the second by the positive part.",
              {{"low", "string"}, {"high", "string"}, {"value", "number"}});
-  a.scripted("type_text", "Types a text, for on_text.", {{"text", "string"}});
   a.scripted("point_at", "Moves the pointer to a place in ui units, or to a node or point of the world as the camera sees it; point_at(x, y, seconds) takes its time.",
              {{"x", "any"}, {"y", "number", true}, {"seconds", "number", true}});
   a.scripted("turn_wheel", "Turns the wheel by so many steps, away from you.", {{"steps", "number"}});

@@ -44,6 +44,7 @@ void Script::deliver_input(const std::vector<InputNotice>& notices) {
 }
 
 bool Script::wants_text() {
+  if (ui_->is_writing()) return true;
   lua_pushliteral(L_, "on_text");
   if (!call_boot("handles", 1, 1, Phase::run)) return false;
   const bool wanted = lua_toboolean(L_, -1);

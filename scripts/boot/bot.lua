@@ -51,10 +51,6 @@ return function(parts)
     if type(steps) ~= "number" then core.raise("turn_wheel: steps: a number expected, got " .. core.short(steps)) end
     core.bot_event("wheel", "", steps, 0)
   end
-  function verbs.type_text(text)
-    if type(text) ~= "string" then core.raise("type_text: a string expected, got " .. core.short(text)) end
-    core.bot_event("text", text, 0, 0)
-  end
 
   -- ---- the ui: what the pointer can do, by the label or id of a widget
   local function check_label(call, label)

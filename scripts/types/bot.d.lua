@@ -20,10 +20,6 @@ function tap(name, seconds) end
 ---@param value number
 function set_axis(low, high, value) end
 
---- Types a text, for on_text.
----@param text string
-function type_text(text) end
-
 --- Moves the pointer to a place in ui units, or to a node or point of the world as the camera sees it; point_at(x, y, seconds) takes its time.
 ---@param x any
 ---@param y? number

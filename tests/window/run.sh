@@ -61,7 +61,7 @@ end
 LUA
 umlauts() {
   open text.lua
-  xdotool type --delay 60 'Grüße, Zoë'
+  xdotool type --delay 200 'Grüße, Zoë'
   xdotool sleep 0.3 key F1
   closed && has '"text": "Grüße, Zoë"' && has '"keys": "[a-z]*gr[a-z]*"'
 }

@@ -63,6 +63,11 @@ bool Ui::take(const InputEvent& event) {
   return false;
 }
 
+bool Ui::is_writing() const {
+  const Place* focused = place(focus_);
+  return focused && focused->kind == UiKind::field;
+}
+
 bool Ui::take_press(const std::string& raw) {
   const std::string name = any_pad(raw);
   bool ours = true;
@@ -114,9 +119,7 @@ void Ui::move_pointer(double x, double y) {
   if (const Place* held = place(held_); held && held->kind == UiKind::slider) return drag(*held);
   const Place* under = place_under_pointer();
   hover_ = under ? under->key : "";
-  const Place* focused = place(focus_);
-  const bool writing = focused && focused->kind == UiKind::field;
-  if (moved && under && under->enabled && under->focusable && !writing && held_.empty()) focus_ = under->key;
+  if (moved && under && under->enabled && under->focusable && !is_writing() && held_.empty()) focus_ = under->key;
 }
 
 bool Ui::press_pointer() {

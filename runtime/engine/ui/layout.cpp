@@ -211,7 +211,7 @@ void lay_out_ui(UiElements& elements, double width) {
   double y = kMargin;                 // of what stands nowhere in particular: below what came before
   for (const int child : elements[0].children) {
     UiElement& e = elements[static_cast<std::size_t>(child)];
-    const double wide = std::min(layout.natural_width(e), width - 2 * kMargin), high = layout.height_for(e, wide);
+    const double wide = e.width ? *e.width : std::min(layout.natural_width(e), width - 2 * kMargin), high = layout.height_for(e, wide);
     if (e.place.is_given()) {
       layout.place(e, anchored(e.place, wide, high, width));
       continue;

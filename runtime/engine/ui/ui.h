@@ -51,6 +51,7 @@ class Ui {
   // To that widget, if it is there at the end of this tick; "": to the first.
   void focus(const std::string& key);
   const std::string& focused() const { return focus_; }
+  bool is_writing() const;             // is a field in focus?
 
   // ---- the screen of the last tick
   bool is_over() const { return over_; }    // the pointer, a widget or a panel that holds some
