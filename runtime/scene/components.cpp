@@ -6,7 +6,7 @@ void describe(Material& material, Schema& s) {
   s.name("material", "How a mesh looks.");
   s.main("color");
   s.add("color", material.color, "A CSS name, \"#rrggbb\" or a color.");
-  s.add("texture", material.texture, "A PNG or JPEG file; the color tints it.");
+  s.add("texture", material.texture, "A PNG or JPEG file; the color tints it, and where it is less than half opaque there is a hole.");
   s.add("texture_size", material.texture_size, "How many metres the picture covers before it repeats, m; 0: once over each face.").at_least(0);
   s.add("roughness", material.roughness, "0 is a mirror, 1 is chalk.").between(0, 1);
   s.add("metalness", material.metalness, "1 is metal: reflections take its color.").between(0, 1);
@@ -24,9 +24,9 @@ void describe(Light& light, Schema& s) {
   s.main("type");
   s.add("type", light.type, "A sun shines everywhere, a point all around, a spot in a cone.");
   s.add("color", light.color, "Color of the light.");
-  s.add("brightness", light.brightness, "1 is a clear day.").at_least(0);
+  s.add("brightness", light.brightness, "1 is a clear day; of a point or spot light, at a quarter of its range.").at_least(0);
   s.add("range", light.range, "How far a point or spot light reaches, m.").above(0);
-  s.add("shadow", light.shadow, "Does it cast shadows?");
+  s.add("shadow", light.shadow, "Does a sun cast shadows? Points and spots cast none.");
   s.angle("angle", light.angle, "A spot's whole cone.").between(0, kPi);
 }
 

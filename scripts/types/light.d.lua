@@ -5,9 +5,9 @@
 ---@class light
 ---@field type "sun"|"point"|"spot" A sun shines everywhere, a point all around, a spot in a cone.
 ---@field color color|string Color of the light.
----@field brightness number 1 is a clear day.
+---@field brightness number 1 is a clear day; of a point or spot light, at a quarter of its range.
 ---@field range number How far a point or spot light reaches, m.
----@field shadow boolean Does it cast shadows?
+---@field shadow boolean Does a sun cast shadows? Points and spots cast none.
 ---@field angle number A spot's whole cone.
 ---@field angle_degrees number The same in degrees.
 local light = {}
@@ -16,8 +16,8 @@ local light = {}
 ---@class light_options
 ---@field type? "sun"|"point"|"spot" A sun shines everywhere, a point all around, a spot in a cone.
 ---@field color? color|string Color of the light.
----@field brightness? number 1 is a clear day.
+---@field brightness? number 1 is a clear day; of a point or spot light, at a quarter of its range.
 ---@field range? number How far a point or spot light reaches, m.
----@field shadow? boolean Does it cast shadows?
+---@field shadow? boolean Does a sun cast shadows? Points and spots cast none.
 ---@field angle? number A spot's whole cone.
 ---@field angle_degrees? number The same in degrees.
