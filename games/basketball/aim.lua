@@ -1,5 +1,7 @@
 -- Aiming: pull back with the pointer, as with a slingshot, or lead the aim with arrows or a stick. A pull sideways turns
 -- the throw, a pull back gives its speed, both linear and clamped; the lift is always the same.
+local settings = require "settings"
+
 local Aim = behaviour {
   slowest = 5, fastest = 10,          -- m/s, at no pull and at full pull
   widest_degrees = 45,                -- to either side, at full pull
@@ -48,7 +50,8 @@ function Aim:by_pointer()
     self.by, self.from_x, self.from_y = "pointer", input.pointer.x, input.pointer.y
   end
   if self.by ~= "pointer" then return end
-  self.right, self.back = input.pointer.x - self.from_x, input.pointer.y - self.from_y
+  local side = settings.slingshot and 1 or -1
+  self.right, self.back = (input.pointer.x - self.from_x) * side, input.pointer.y - self.from_y
   if input.was_released("pointer") then self:throw() end
 end
 
@@ -69,7 +72,8 @@ function Aim:update(dt)
     self:by_pointer()
     self:by_keys(dt)
   end
-  self.arc:show(self.by ~= "nothing" and self:points_of(self:velocity_of(self.right, self.back)) or {})
+  local shows = settings.arc and self.by ~= "nothing"
+  self.arc:show(shows and self:points_of(self:velocity_of(self.right, self.back)) or {})
 end
 
 function Aim:draw_ui()

@@ -1,6 +1,9 @@
 -- The ball: held, or flying. aim.lua throws it; hoop and targets ask it whether the throw still counts.
+local sounds = { floor = "bounce", board = "board", rim = "rim", bracket = "rim" }   -- by what it hits; else a bounce
+
 local Ball = behaviour {
   longest_flight = 4,                 -- s, until the next ball
+  loudest = 6,                        -- N s: a harder hit is not louder
   after_floor = 0.6,                  -- s, the same once it met the floor
 }
 
@@ -28,14 +31,16 @@ function Ball:throw(velocity)
   body.angular_velocity = velocity:cross(vec3.up):normalized() * 12
   self.state, self.counts, self.scored, self.clean = "flying", true, false, true
   self.over_at = time.now + self.longest_flight
-  scene.send("throw", self.home)
+  sound.play("sounds/throw.ogg", { at = self.node })
+  scene.send("throw")
 end
 
--- A throw counts once.
+-- A throw counts once: did it count now?
 function Ball:score(points, words)
-  if not self.counts then return end
+  if not self.counts then return false end
   self.counts, self.scored = false, true
-  scene.send("points", points, words, self.node.position)
+  scene.send("points", points, words)
+  return true
 end
 
 function Ball:update(dt)
@@ -47,6 +52,8 @@ end
 
 function Ball:on_collision_enter(hit)
   self.clean = false
+  local name = sounds[hit.node.name] or "bounce"
+  sound.hit("sounds/" .. name .. ".ogg", hit, self.loudest)
   if hit.node.name == "floor" then self.over_at = math.min(self.over_at, time.now + self.after_floor) end
 end
 

@@ -23,7 +23,7 @@ end
 
 return function()
   wait(1)
-  tap("throw")
+  click("Play")
   wait(0.1)
   local targets = { "hoop", "hoop", "hoop", "hoop", "plate 1", "hoop", "hoop", "plate 2" }
   local next_target, n = "plate 3", 0      -- the golden one once, while it hangs

@@ -19,15 +19,16 @@ function Cameraman:title_view()
 end
 
 function Cameraman:play_view()
-  local home = self.match.ball.home
-  local ahead = self.match.aim.facing
-  return home - ahead * self.behind + vec3.up * self.above, self.hoop - vec3.up * 0.45
+  local ball, ahead = self.match.ball, self.match.aim.facing
+  local goal = self.hoop - vec3.up * 0.45
+  if ball.state == "flying" then goal = goal:lerp(ball.node.position, 0.12) end   -- a glance after it
+  return ball.home - ahead * self.behind + vec3.up * self.above, goal
 end
 
 function Cameraman:replay_view()
   local ball = scene.get("ball/picture").world_position
   local side = self.match.ball.home.x > 0 and -1 or 1
-  return self.hoop + vec3(1.9 * side, 0.35, 2), self.hoop:lerp(ball, 0.25)
+  return self.hoop + vec3(2.1 * side, -0.5, 2.2), self.hoop:lerp(ball, 0.18)
 end
 
 function Cameraman:late_update(dt)

@@ -4,14 +4,14 @@ local hoop = vec3(0, 3.05, -4.2)
 local white, steel = "#f4efe2", "#4b4658"
 
 -- ---- the floor and what is painted on it, layer on layer
-scene.add { name = "floor", position = vec3(0, -0.1, 1), color = "#4c4763",
+scene.add { name = "floor", position = vec3(0, -0.1, 1), material = { color = "#5a5474", texture = "textures/asphalt.png", texture_size = 3 },
   mesh = { shape = "box", size = vec3(30, 0.2, 24) }, body = { type = "static", restitution = 0.8 } }
 
 local layers = 0
 local function paint(name, x, z, width, depth, color, turn)
   layers = layers + 1
-  return scene.add { name = name, position = vec3(x, 0.002 + layers * 0.0004, z), color = color,
-    rotation = quat.axis_angle(vec3.up, turn or 0), mesh = { shape = "box", size = vec3(width, 0.004, depth) } }
+  return scene.add { name = name, position = vec3(x, 0.002 + layers * 0.0004, z),
+    material = { color = color, texture = "textures/asphalt.png", texture_size = 3 }, rotation = quat.axis_angle(vec3.up, turn or 0), mesh = { shape = "box", size = vec3(width, 0.004, depth) } }
 end
 
 paint("court", 0, 1.1, 15, 13, "#2c8c8f")
@@ -53,11 +53,15 @@ end
 local ball = scene.add { name = "ball", position = vec3(0, 1.5, 0), behaviours = { aim = {}, ball = {} },
   body = { type = "kinematic", mass = 0.62, restitution = 0.2, continuous = true, group = "ball",
     colliders = { shape = "sphere", radius = 0.12 } } }
-local skin = scene.add { name = "picture", tags = "replayed", parent = ball, color = "#f07f2e", mesh = { shape = "sphere", radius = 0.12 } }
+local skin = scene.add { name = "picture", tags = "replayed", parent = ball,
+  material = { color = "#f5832e", texture = "textures/leather.png" }, mesh = { shape = "sphere", radius = 0.12 } }
 for _, turn in ipairs { vec3(0, 0, 0), vec3(90, 0, 0), vec3(0, 0, 90) } do   -- seams, to see it spin
   scene.add { parent = skin, rotation_degrees = turn, color = "#3a1d14",
     mesh = { shape = "torus", radius = 0.1185, thickness = 0.006 } }
 end
+-- Burns while a streak counts most often.
+scene.add { name = "fire", parent = skin, particles = { playing = false, rate = 80, life = 0.5, speed = 0.3, spread_degrees = 180,
+  area = vec3(0.1, 0.1, 0.1), size = 0.2, color = "#ffc04a", color_end = color("#e2402a"):with_alpha(0), glow = 1, gravity_factor = -0.2 } }
 scene.add { name = "arc", behaviours = { arc = {} } }
 
 -- ---- the hoop: board, ring, net
@@ -87,6 +91,12 @@ scene.add { name = "net", position = hoop, behaviours = { net = {} } }
 scene.add { name = "hoop", position = hoop, behaviours = { hoop = {} },
   body = { type = "static", trigger = true, colliders = { shape = "cylinder", radius = 0.06, height = 0.3 } } }
 
+local confetti = scene.add { name = "confetti", position = hoop - vec3(0, 0.3, 0) }
+for _, paper in ipairs { "#ffc65a", "#38c6d9", "#ff6b57", "#fbf6ea" } do
+  scene.add { parent = confetti, particles = { playing = false, life = 1.6, speed = 4, spread_degrees = 75, size = 0.13, size_end = 0.1,
+    color = paper, glow = 0.5, gravity_factor = 0.4 } }
+end
+
 -- ---- three plates to hit: each hangs from its frame on a hinge with a spring; the golden one tears off
 local targets = {
   { position = vec3(-2.6, 2.6, -4.4), color = "#38c6d9", points = 1 },
@@ -105,6 +115,8 @@ for i, target in ipairs(targets) do
     behaviours = { target = { points = target.points } },
     body = { mass = 1.5, restitution = 0.3, colliders = { shape = "box", size = vec3(0.8, 0.8, 0.06) } } }
   scene.add { name = "picture", tags = "replayed", parent = plate, color = target.color, mesh = { shape = "box", size = vec3(0.8, 0.8, 0.06) } }
+  scene.add { name = "sparks", parent = plate, particles = { playing = false, life = 0.9, speed = 4, spread_degrees = 180,
+    size = 0.16, color = "#fff0b0", color_end = "#ff9a3c", glow = 1, gravity_factor = 0.6 } }
   joint.hinge { name = "hinge", a = plate, b = stand, anchor = vec3(0, 0.5, 0), axis = vec3.right,
     min_degrees = -85, max_degrees = 85, spring = { frequency = 1.5, damping = 0.15 },
     break_force = target.break_force or math.huge }
@@ -113,4 +125,5 @@ end
 -- ---- who looks after it all
 scene.add { name = "replay", behaviours = { replay = {} } }
 scene.add { name = "match", behaviours = { match = {} } }
-scene.add { name = "camera", position = vec3(0, 2.6, 3.8), camera = { field_of_view_degrees = 48 }, behaviours = { cameraman = {} } }
+scene.add { name = "camera rig", position = vec3(0, 2.6, 3.8), behaviours = { cameraman = {} }, children = {
+  { name = "camera", camera = { field_of_view_degrees = 48 }, behaviours = { shake = { distance = 0.12, turn_degrees = 2 } } } } }

@@ -1,49 +1,61 @@
--- Basketball: as many points as you can in 60 seconds. Pull back from anywhere, let go to throw.
+-- Basketball: as many points as you can in 60 seconds. Rounds begin and end here; the rules are in match.lua.
 require "court"
 require "yard"
+local hud = require "hud"
+local menu = require "menu"
+local pages = require "pages"
+local scores = require "scores"
+local settings = require "settings"
 
-local state = "title"                 -- "title", "playing", "over"
-local over_at = 0
+local mode = "off"                    -- of the match: "off", "timed", "free"
 
 local function match() return scene.get("match").behaviours.match end
+local function replay() return scene.get("replay").behaviours.replay end
 
-local function report()
+function start()
+  settings.apply()
+  menu.show("title")
+end
+
+function on_begin(new_mode)
+  mode = new_mode
+  if mode == "off" then menu.show("title") else menu.close() end
+  scene.restart()                     -- at the end of this tick: plates hang again, the ball is back
+end
+
+function on_scene_start()
+  match():begin(mode)
+  sound.music(mode == "off" and "sounds/music.ogg" or nil)
+end
+
+local function show_end()
+  menu.show("over")
+  game.finish()
+end
+
+function on_time_up()
+  scores.add(match().score)
+  task.after(1.2, show_end)           -- not at once: who still throws must not press a button
+end
+
+function on_press(name)
+  if menu.page() then return end
+  if replay().is_playing then
+    replay():stop()
+  elseif name == "replay" then
+    replay():play()
+  elseif name == "pause" then
+    menu.open("pause")
+  end
+end
+
+function update(dt)
   local m = match()
   game.report.score, game.report.throws, game.report.streak = m.score, m.throws, m.best_streak
 end
 
-function on_scene_start() if state == "playing" then match():begin("timed") end end
-
-local function play()
-  state = "playing"
-  scene.restart()                     -- at the end of this tick: plates hang again, the ball is back
-end
-
-function on_time_up()
-  state, over_at = "over", time.now
-  game.finish()
-end
-
-function on_press(name)
-  -- Whoever pulls while the time runs out lets go and presses again at once: not before a second has passed.
-  local waits = state == "title" or (state == "over" and time.now > over_at + 1)
-  if waits and (name == "throw" or name == "pointer") then play() end
-  local replay = scene.get("replay").behaviours.replay
-  if state == "playing" and name == "replay" then replay:play() elseif replay.is_playing then replay:stop() end
-end
-
-function update(dt) report() end
-
-local function draw_round()
-  local m = match()
-  ui.text("Score " .. m.score, { at = "top_left", size = 44 })
-  ui.bar(m.seconds_left / m.round_seconds, { at = "top", width = 420, height = 22, color = m.seconds_left < 10 and "tomato" or "orange" })
-  if m:times() > 1 then ui.text("next x" .. m:times(), { at = "top_right", size = 44, color = "gold" }) end
-  if time.now < m.news_until then ui.text(m.news, { at = "center", size = 72, color = "gold" }) end
-end
-
 function draw_ui()
-  if state == "playing" then return draw_round() end
-  ui.text(state == "title" and "Basketball" or "Time! " .. match().score .. " points", { at = "top", size = 72, color = "gold" })
-  ui.text("Press space or click, then pull back and let go", { at = "bottom", size = 32 })
+  if replay().is_playing then hud.draw_replay() elseif not menu.page() then hud.draw(match()) end
+  pages.draw()
+  time.paused = menu.page() ~= nil and match():is_on()
 end

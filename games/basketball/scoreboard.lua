@@ -34,7 +34,7 @@ function Scoreboard:show(number, value)
     for b, bar in ipairs(number.digits[i]) do
       local on = shape:sub(b, b) == "1"
       bar.color = on and self.lit or self.dark
-      bar.material.glow = on and 1 or 0
+      bar.material.glow = on and 0.45 or 0
     end
     value = value // 10
   end

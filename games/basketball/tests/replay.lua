@@ -4,7 +4,7 @@ local function ball() return scene.get("ball").behaviours.ball end
 local function picture() return scene.get("ball/picture") end
 
 local function throw(velocity)
-  tap("throw")
+  click("Play")
   wait(0.1)
   ball():throw(velocity)
 end
@@ -35,7 +35,7 @@ test("the replay leads the picture along the way that the ball went, and the bal
 end)
 
 test("there is no replay before a throw, nor while the ball flies", function()
-  tap("throw")
+  click("Play")
   wait(0.1)
   tap("replay")
   wait(0.05)
@@ -63,7 +63,7 @@ test("the clock stands and nothing is thrown while the replay runs; any press en
 end)
 
 test("a great basket is shown again by itself", function()
-  tap("throw")
+  click("Play")
   wait(0.1)
   for i = 1, 3 do                     -- the third one in a row counts three times
     expect(replay().is_playing):equals(false)

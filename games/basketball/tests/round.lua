@@ -9,9 +9,10 @@ test("without input nothing is thrown, scored or finished", function()
 end)
 
 test("the title takes no throws", function()
-  point_at(640, 380)
-  press("pointer")                    -- starts the round, and is no pull
-  point_at(640, 560, 0.2)
+  wait(0.1)
+  point_at(640, 620)                  -- beside all buttons
+  press("pointer")
+  point_at(640, 700, 0.2)
   release("pointer")
   wait(0.1)
   expect(ball().state):equals("held")
@@ -19,15 +20,15 @@ test("the title takes no throws", function()
 end)
 
 test("a round lasts a minute, and then the game is finished", function()
-  tap("throw")
+  click("Play")
   wait(59.5)
   expect(game.is_finished):equals(false)
-  wait(1)
+  wait(2)
   expect(game.is_finished):equals(true)
 end)
 
 test("a ball in the air at the end still counts", function()
-  tap("throw")
+  click("Play")
   wait(59.5)
   point_at(640, 380)
   press("pointer")
@@ -50,7 +51,7 @@ local function basket()
 end
 
 test("a streak makes points count up to three times, and a miss ends it", function()
-  tap("throw")
+  click("Play")
   wait(0.1)
   local match, expected = scene.get("match").behaviours.match, 0
   for i = 1, 4 do
@@ -67,7 +68,7 @@ test("a streak makes points count up to three times, and a miss ends it", functi
 end)
 
 test("a basket leads to the next spot, a miss does not", function()
-  tap("throw")
+  click("Play")
   wait(0.1)
   local homes = {}
   for i = 1, 7 do
@@ -82,12 +83,12 @@ test("a basket leads to the next spot, a miss does not", function()
 end)
 
 test("the next round starts from nothing", function()
-  tap("throw")
+  click("Play")
   wait(0.1)
   basket()
-  wait(62)
+  wait(63)
   expect(game.report.score):equals(3)
-  tap("throw")
+  click("Play again")
   wait(0.1)
   expect(game.report.score):equals(0)
   expect(ball().state):equals("held")

@@ -1,6 +1,6 @@
 -- The plates on their hinges.
 local function play()
-  tap("throw")
+  click("Play")
   wait(0.1)
   return scene.get("ball"), scene.get("ball").behaviours.ball
 end
@@ -53,9 +53,9 @@ end)
 
 test("a new round hangs it up again", function()
   hit("plate 3", 9)
-  wait(62)
+  wait(63)
   expect(game.is_finished):equals(true)
-  play()
+  click("Play again")
   wait(1)
   local plate = scene.get("plate 3")
   expect(plate:joint("hinge").is_broken):equals(false)

@@ -4,7 +4,7 @@ local to_the_ring = 0.56 * 300
 local ring = vec3(0, 3.05, -4.2)
 
 local function play()
-  tap("throw")
+  click("Play")
   wait(0.1)
   return scene.get("ball"), scene.get("ball").behaviours.ball, scene.get("ball").behaviours.aim
 end
