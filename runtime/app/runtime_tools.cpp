@@ -5,6 +5,7 @@
 #include "app/runtime_impl.h"
 #include "assets/pack.h"
 #include "platform/files.h"
+#include "script/check.h"
 #include "script/document.h"
 
 namespace tumble {
@@ -91,6 +92,18 @@ void Node::set(const std::string& path, const Data& value) {
 #undef TUMBLE_NODE_GAME
 
 // ---- tools
+
+std::vector<Finding> check(const std::string& path) {
+  const std::unique_ptr<Package> package = Package::open(path);
+  CheckedGame game;
+  game.read = [&](const std::string& file) { return package->read(file); };
+  game.files = package->list();
+  game.entry = package->entry();
+  std::vector<Finding> findings;
+  for (const CheckFinding& found : check_game(game)) findings.push_back({found.file, found.line, found.text, found.is_error});
+  return findings;
+}
+std::string luacheck_config() { return check_config(); }
 
 std::vector<std::pair<std::string, std::string>> generated_files() { return document_files(); }
 

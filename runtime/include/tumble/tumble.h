@@ -208,6 +208,16 @@ class TUMBLE_API Runtime {
 // ---- tools of the command line
 // The API's documents and editor types, from the table that the bindings come from: path below the folder -> text.
 TUMBLE_API std::vector<std::pair<std::string, std::string>> generated_files();
+// What is wrong with a game, found without running it: syntax, unknown names, missing files, what nothing reaches.
+struct Finding {
+  std::string file;       // of the game
+  int line = 0;           // 0: the whole file
+  std::string text;
+  bool is_error = true;   // else it looks wrong and may be meant
+};
+TUMBLE_API std::vector<Finding> check(const std::string& path);
+// The API's names as a configuration for the program luacheck.
+TUMBLE_API std::string luacheck_config();
 // Packs a game folder into `output`; with a program, behind a copy of it, so that the output runs by itself.
 TUMBLE_API void pack(const std::string& folder, const std::string& output, const std::string& program = "");
 // Is a game packed behind that program?

@@ -1,0 +1,7 @@
+local Broken = behaviour {}
+
+function Broken:update()
+  if time.now > 3 print("late") end
+end
+
+return Broken

@@ -1,0 +1,1 @@
+return { nobody = "requires this" }

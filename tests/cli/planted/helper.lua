@@ -1,0 +1,1 @@
+return { points = 3 }
