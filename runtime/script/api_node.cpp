@@ -115,6 +115,23 @@ bool has_tag(Script& s, NodeRef n, std::string tag) {
 void translate(Script& s, NodeRef n, Vec3 offset, std::optional<double> factor) {
   s.engine().set_position(n.id, node_of(s, n).local.position + offset * factor.value_or(1));
 }
+// The call that moves the most nodes: with nodes, kept vectors and numbers as expected it goes straight to the scene,
+// about a third of the way; whatever else it finds it leaves to the bound function's checks and words.
+int translate_hot(lua_State* L) {
+  Script& s = script_of(L);
+  const NodeId* id = object_at<NodeId>(L, 1, Tag::node);
+  const Vec3* offset = vec3_at(L, 2);
+  if (id && offset && s.phase() == Phase::run && lua_gettop(L) == 3 && lua_type(L, 3) == LUA_TNUMBER) {
+    Engine& engine = s.live_engine();
+    const SceneNode* node = engine.scene.get(*id);
+    const Vec3 way = *offset * lua_tonumber(L, 3);
+    if (node && is_finite(way)) {
+      engine.set_position(*id, node->local.position + way);
+      return 0;
+    }
+  }
+  return detail::Bound<translate>::call(L);
+}
 void turn(Script& s, NodeRef n, Vec3 axis, double angle) {
   if (axis == Vec3{}) fail("node:turn: axis must not be zero (got 0, 0, 0); give a direction such as vec3.up");
   s.engine().set_rotation(n.id, normalized(node_of(s, n).local.rotation * axis_angle(axis, angle)));
@@ -220,7 +237,7 @@ void rows_node(Area& a) {
   a.method<has_tag>("has_tag", "Does it have that tag?", "tag");
   a.raw("send", "Calls on_<message> in this node's slot and behaviours, at once; true if anyone listened.", send,
         {{"message", "string", false}, {"...", "any", true}}, "boolean").acts().method = true;
-  a.method<translate>("translate", "Moves it by an offset (times a factor), in its parent's space.", "offset", "factor").writes();
+  a.method<translate>("translate", "Moves it by an offset (times a factor), in its parent's space.", "offset", "factor").writes().call = translate_hot;
   a.method<turn>("turn", "Turns it about one of its own axes.", "axis", "radians").writes();
   a.method<look_at>("look_at", "Turns it so that its forward points at a point of the world.", "point").writes();
   a.method<to_world>("to_world", "A point of its space in the world.", "point");

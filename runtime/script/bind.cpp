@@ -43,7 +43,7 @@ Row& Area::raw(const char* name, const char* doc, lua_CFunction call, std::vecto
   return row;
 }
 
-void raise(lua_State* L, const std::string& message) {
+void raise(lua_State* L) {
   // The nearest line of the game; lines of boot mean nothing to its author.
   lua_Debug record;
   lua_pushliteral(L, "");
@@ -54,7 +54,7 @@ void raise(lua_State* L, const std::string& message) {
     lua_replace(L, -2);
     break;
   }
-  lua_pushlstring(L, message.data(), message.size());
+  lua_rotate(L, -2, 1);
   lua_concat(L, 2);
   lua_error(L);
   std::abort();  // lua_error does not return, but does not say so

@@ -80,18 +80,21 @@ void push_inner_module(lua_State* L, const char* name);
 // Throws what a row must not do now: "apply_impulse at the top level ... put it in start()".
 void check_permit(Script& script, const Row& row);
 // Runs `body`; tumble::Error and std::exception become Lua errors with the place in the script. The only such border.
-[[noreturn]] void raise(lua_State* L, const std::string& message);
+[[noreturn]] void raise(lua_State* L);  // with the message on top of the stack
 template <class Body>
 int at_border(lua_State* L, Body&& body) {
-  std::string message;
   try {
     return body();
   } catch (const Error& error) {
-    message = error.what();
+    lua_pushstring(L, error.what());
   } catch (const std::exception& error) {
-    message = std::string("Tumble failed inside: ") + error.what();
+    lua_pushfstring(L, "Tumble failed inside: %s", error.what());
   }
-  raise(L, message);
+  raise(L);
+}
+
+inline void Arguments::check_end() const {
+  if (lua_gettop(L) >= index && row.kind != Row::Kind::property) surplus();
 }
 
 namespace detail {
@@ -106,7 +109,7 @@ struct Bound<F> {
   static int call(lua_State* L) {
     return at_border(L, [L]() -> int {
       Script& script = script_of(L);
-      if (row->permit != Permit::always) check_permit(script, *row);
+      if (row->permit != Permit::always && script.phase() != Phase::run) check_permit(script, *row);
       Arguments arguments{L, script, *row, 1, row->method ? -1 : 0};
       // Braces evaluate from left to right, which a call's arguments need not.
       std::tuple<std::decay_t<Args>...> read{LuaType<std::decay_t<Args>>::read(arguments)...};

@@ -238,7 +238,11 @@ struct CoreApi {
     }
     return 1;
   }
-  static int raise_error(lua_State* L) { raise(L, string_at(L, 1)); }
+  static int raise_error(lua_State* L) {
+    luaL_checkstring(L, 1);
+    lua_settop(L, 1);
+    raise(L);
+  }
   // Is the nearest game file on the stack one of scripts/std?
   static int called_from_std(lua_State* L) {
     lua_Debug record;

@@ -6,7 +6,47 @@
 
 namespace tumble {
 
+// The rows of an area by the address of their name: Lua keeps one copy of each short string, so two words are equal if
+// their addresses are. It lies in a userdata that the kind's metatable keeps; the row tables beside it keep the words alive.
+struct Names {
+  struct Entry {
+    const void* word = nullptr;
+    const Row* row = nullptr;
+  };
+  std::size_t mask = 0;
+  Entry entries[1];             // mask + 1 of them
+
+  static std::size_t bytes(std::size_t entries) { return sizeof(Names) + (entries - 1) * sizeof(Entry); }
+  std::size_t begin(const void* word) const { return (reinterpret_cast<std::uintptr_t>(word) >> 4) * 0x9e3779b97f4a7c15ULL >> 32 & mask; }
+  const Row* find(const void* word) const {
+    for (std::size_t i = begin(word); entries[i].word; i = (i + 1) & mask)
+      if (entries[i].word == word) return entries[i].row;
+    return nullptr;
+  }
+  void add(const void* word, const Row* row) {
+    std::size_t i = begin(word);
+    while (entries[i].word) i = (i + 1) & mask;
+    entries[i] = {word, row};
+  }
+};
+
 namespace {
+
+void push_names(lua_State* L, const Area& area) {
+  std::size_t size = 8;
+  while (size < 2 * area.rows.size()) size *= 2;
+  auto* names = new (lua_newuserdatauv(L, Names::bytes(size), 0)) Names;
+  names->mask = size - 1;
+  for (std::size_t i = 0; i < size; ++i) new (&names->entries[i]) Names::Entry;
+  for (const Row& row : area.rows) {
+    if (row.kind == Row::Kind::event || row.scripted) continue;
+    lua_pushlstring(L, row.name.data(), row.name.size());
+    names->add(lua_topointer(L, -1), &row);
+    lua_pop(L, 1);
+  }
+}
+// The row for the key at 2 of an object at 1.
+const Row* row_of(lua_State* L, int tag_index) { return script_of(L).names(tag_index)->find(lua_topointer(L, 2)); }
 
 // The row table: name -> function (method or function) or light userdata (the Row of a property).
 void push_rows(lua_State* L, const Area& area, bool with_functions) {
@@ -35,32 +75,29 @@ std::string key_text(lua_State* L, int index) {
   return lua_type(L, index) == LUA_TSTRING ? lua_tostring(L, index) : describe_argument(L, index);
 }
 
+// A function for each kind of object, so that the way to its rows is short.
+template <int tag_index>
 int object_index(lua_State* L) {
-  const int type = look_up(L, 2);
-  if (type == LUA_TFUNCTION) return 1;
-  if (type == LUA_TLIGHTUSERDATA) {
-    const Row* row = static_cast<const Row*>(lua_touserdata(L, -1));
+  if (const Row* row = row_of(L, tag_index)) {
+    if (row->call) return lua_pushcfunction(L, row->call), 1;
     lua_settop(L, 1);
     return row->get(L);
   }
-  lua_settop(L, 2);
   return at_border(L, [L] { return index_described(L, upvalue_area(L)); });
 }
 
 int object_newindex(lua_State* L) {
-  const int type = look_up(L, 2);
-  const Row* row = type == LUA_TLIGHTUSERDATA ? static_cast<const Row*>(lua_touserdata(L, -1)) : nullptr;
-  lua_settop(L, 3);
+  const Row* row = row_of(L, tag_index(tag_at(L, 1)));
   if (row && row->set) {
     lua_remove(L, 2);
     return row->set(L);
   }
-  return at_border(L, [L, row, type] {
+  return at_border(L, [L, row] {
     const Area& area = upvalue_area(L);
     const Tag tag = tag_at(L, 1);
     if (tag == Tag::vec3 || tag == Tag::quat || tag == Tag::color) return newindex_described(L, area);
-    if (row) fail(area.name, ".", row->name, ": can be read but not written");
-    if (type == LUA_TFUNCTION) fail(area.name, ".", key_text(L, 2), " is a function of every ", area.name, " and cannot be replaced");
+    if (row && !row->call) fail(area.name, ".", row->name, ": can be read but not written");
+    if (row) fail(area.name, ".", key_text(L, 2), " is a function of every ", area.name, " and cannot be replaced");
     return newindex_described(L, area);
   });
 }
@@ -75,7 +112,13 @@ int vec3_index(lua_State* L) {
     if (*key == 'y') return lua_pushnumber(L, v.y), 1;
     if (*key == 'z') return lua_pushnumber(L, v.z), 1;
   }
-  return object_index(L);
+  return object_index<tag_index(Tag::vec3)>(L);
+}
+
+template <std::size_t... I>
+lua_CFunction index_function(int tag_index, std::index_sequence<I...>) {
+  static constexpr lua_CFunction functions[] = {object_index<static_cast<int>(I)>...};
+  return functions[tag_index];
 }
 
 int module_index(lua_State* L) {
@@ -126,7 +169,10 @@ void lock(lua_State* L, const std::string& name) {
 void open_object(lua_State* L, Tag tag) {
   const Area& rows = area(tag_name(tag));
   lua_newtable(L);
-  set_closure(L, "__index", tag == Tag::vec3 ? vec3_index : object_index, rows, true);
+  push_names(L, rows);
+  script_of(L).names(tag_index(tag)) = static_cast<const Names*>(lua_touserdata(L, -1));
+  lua_setfield(L, -2, "names");
+  set_closure(L, "__index", tag == Tag::vec3 ? vec3_index : index_function(tag_index(tag), std::make_index_sequence<kTags>{}), rows, true);
   set_closure(L, "__newindex", object_newindex, rows, true);
   lua_pushcfunction(L, object_tostring);
   lua_setfield(L, -2, "__tostring");

@@ -37,15 +37,16 @@ struct VoiceData {
 // A table inside a component or joint ("motor" of a hinge): where it hangs; the path is user value 1.
 struct ViewData { Reference root; };
 
+// Scripts never get light userdata, so what is a userdata at all is an object of ours.
 inline Tag tag_at(lua_State* L, int index) {
-  if (lua_type(L, index) != LUA_TUSERDATA) return Tag::end;
-  return *static_cast<const Tag*>(lua_touserdata(L, index));
+  const void* object = lua_touserdata(L, index);
+  return object ? *static_cast<const Tag*>(object) : Tag::end;
 }
 // The value inside a userdata of that tag, or nullptr.
 template <class T>
 T* object_at(lua_State* L, int index, Tag tag) {
-  if (tag_at(L, index) != tag) return nullptr;
-  return &static_cast<Object<T>*>(lua_touserdata(L, index))->value;
+  void* object = lua_touserdata(L, index);
+  return object && *static_cast<const Tag*>(object) == tag ? &static_cast<Object<T>*>(object)->value : nullptr;
 }
 // Pushes a new userdata with the tag's metatable.
 template <class T>

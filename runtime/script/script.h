@@ -4,6 +4,7 @@
 // engine instead, so that nothing of a faulty text reaches the game; commit() then applies what differs.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <map>
 #include <memory>
@@ -208,6 +209,7 @@ class Script {
   void set_running(lua_State* L);
   std::uint32_t next_serial() { return next_serial_++; }
   bool over_time() const;                              // the watchdog stopped what runs
+  const struct Names*& names(int tag_index) { return names_[tag_index]; }  // dispatch.cpp: the rows of a kind of object
   std::uint64_t seed() const { return seed_; }
   void set_seed(std::uint64_t seed);
   Results push_behaviours(NodeId node);
@@ -277,6 +279,7 @@ class Script {
 
   Engine& live_;
   ScriptHost host_;
+  std::array<const struct Names*, 24> names_{};        // by tag; they live in the Lua state
   LuaMemory memory_;
   lua_State* L_ = nullptr;
   lua_State* running_ = nullptr;

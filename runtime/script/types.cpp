@@ -44,22 +44,18 @@ void Arguments::wrong(const std::string& text) const {
   fail(row.full_name(), ": ", text);
 }
 
-void Arguments::check_end() const {
-  if (row.kind != Row::Kind::property && lua_gettop(L) >= index)
-    fail(row.full_name(), ": takes ", number, number == 1 ? " argument" : " arguments", ", got ", describe_argument(L, index),
-         " beside", number ? " them" : "");
+void Arguments::surplus() const {
+  fail(row.full_name(), ": takes ", number, number == 1 ? " argument" : " arguments", ", got ", describe_argument(L, index), " beside", number ? " them" : "");
 }
 
-double Arguments::finite(int at) const {
-  if (lua_type(L, at) != LUA_TNUMBER) {
-    Arguments here = *this;
-    here.index = at;
-    here.bad("number");
-  }
-  const double value = lua_tonumber(L, at);
-  if (!std::isfinite(value)) wrong("a finite number expected, got " + number_text(value));
-  return value;
+void Arguments::not_finite(int at) const {
+  Arguments here = *this;
+  here.index = at;
+  if (lua_type(L, at) != LUA_TNUMBER) here.bad("number");
+  here.wrong("a finite number expected, got " + number_text(lua_tonumber(L, at)));
 }
+void Arguments::not_finite(Vec3 v) const { wrong("finite numbers expected, got " + text(Value(v))); }
+void Arguments::dead(NodeId node) const { fail(row.full_name(), ": ", script.dead_node_text(node)); }
 
 namespace {
 
@@ -93,14 +89,6 @@ bool LuaType<bool>::read(Arguments& a) {
 }
 int LuaType<bool>::push(lua_State* L, const bool& v) { return lua_pushboolean(L, v), 1; }
 
-double LuaType<double>::read(Arguments& a) {
-  ++a.number;
-  if (lua_type(a.L, a.index) != LUA_TNUMBER) a.bad("number");
-  const double value = lua_tonumber(a.L, a.index);
-  if (!std::isfinite(value)) a.wrong("a finite number expected, got " + number_text(value));
-  ++a.index;
-  return value;
-}
 int LuaType<double>::push(lua_State* L, const double& v) { return lua_pushnumber(L, v), 1; }
 
 std::int64_t LuaType<std::int64_t>::read(Arguments& a) {
@@ -125,19 +113,6 @@ std::string LuaType<std::string>::read(Arguments& a) {
 }
 int LuaType<std::string>::push(lua_State* L, const std::string& v) { return lua_pushlstring(L, v.data(), v.size()), 1; }
 
-// A vec3, or three numbers in its place.
-Vec3 LuaType<Vec3>::read(Arguments& a) {
-  ++a.number;
-  if (const Vec3* v = vec3_at(a.L, a.index)) {
-    if (!is_finite(*v)) a.wrong("finite numbers expected, got " + text(Value(*v)));
-    ++a.index;
-    return *v;
-  }
-  if (lua_type(a.L, a.index) != LUA_TNUMBER) a.bad("vec3");
-  const Vec3 v{a.finite(a.index), a.finite(a.index + 1), a.finite(a.index + 2)};
-  a.index += 3;
-  return v;
-}
 int LuaType<Vec3>::push(lua_State* L, const Vec3& v) { return push_vec3(L, v), 1; }
 
 Quat LuaType<Quat>::read(Arguments& a) { return expect_object<Quat>(a, Tag::quat, "quat"); }
@@ -158,11 +133,6 @@ Color LuaType<Color>::read(Arguments& a) {
 }
 int LuaType<Color>::push(lua_State* L, const Color& v) { return push_object(L, Tag::color, v), 1; }
 
-NodeRef LuaType<NodeRef>::read(Arguments& a) {
-  const NodeId id = expect_object<NodeId>(a, Tag::node, "node");
-  if (!a.script.engine().scene.get(id)) fail(a.row.full_name(), ": ", a.script.dead_node_text(id));
-  return {id};
-}
 int LuaType<NodeRef>::push(lua_State* L, const NodeRef& v) { return script_of(L).push_node(v.id), 1; }
 
 AnyNode LuaType<AnyNode>::read(Arguments& a) { return {expect_object<NodeId>(a, Tag::node, "node")}; }

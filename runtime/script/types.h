@@ -1,6 +1,7 @@
 // How C++ types are read from and pushed to Lua: LuaType<T>::read, push, name.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -12,10 +13,10 @@
 #include "physics/query.h"
 #include "script/objects.h"
 #include "script/param.h"
+#include "script/script.h"
 
 namespace tumble {
 
-class Script;
 struct Row;
 
 inline Script& script_of(lua_State* L) { return **static_cast<Script**>(lua_getextraspace(L)); }
@@ -36,6 +37,10 @@ struct Arguments {
   // Throws where there are more arguments than the function takes.
   void check_end() const;
   double finite(int at) const;   // the number there, which must be one and finite
+  [[noreturn]] void surplus() const;
+  [[noreturn]] void not_finite(int at) const;
+  [[noreturn]] void not_finite(Vec3 v) const;
+  [[noreturn]] void dead(NodeId node) const;
 };
 
 // "nil", "a number", "node 'ball'", "\"text\"": what an argument is, for messages.
@@ -135,6 +140,39 @@ struct LuaType<std::tuple<T...>> {
     return count;
   }
 };
+
+// ---- what hot calls go through, here so that it can be inlined; bind.h has check_end
+inline double Arguments::finite(int at) const {
+  if (lua_type(L, at) != LUA_TNUMBER) not_finite(at);
+  const double value = lua_tonumber(L, at);
+  if (!std::isfinite(value)) not_finite(at);
+  return value;
+}
+inline double LuaType<double>::read(Arguments& a) {
+  ++a.number;
+  return a.finite(a.index++);
+}
+// A vec3, or three numbers in its place.
+inline Vec3 LuaType<Vec3>::read(Arguments& a) {
+  ++a.number;
+  if (const Vec3* v = vec3_at(a.L, a.index)) {
+    if (!is_finite(*v)) a.not_finite(*v);
+    ++a.index;
+    return *v;
+  }
+  if (lua_type(a.L, a.index) != LUA_TNUMBER) a.bad("vec3");
+  const Vec3 v{a.finite(a.index), a.finite(a.index + 1), a.finite(a.index + 2)};
+  a.index += 3;
+  return v;
+}
+inline NodeRef LuaType<NodeRef>::read(Arguments& a) {
+  ++a.number;
+  const NodeId* id = object_at<NodeId>(a.L, a.index, Tag::node);
+  if (!id) a.bad("node");
+  if (!a.script.engine().scene.get(*id)) a.dead(*id);
+  ++a.index;
+  return {*id};
+}
 
 // ---- Value and Lua
 // Tables become lists (keys 1..n) or maps (string keys, sorted by name); nodes and joints References. Throws Error
