@@ -1,6 +1,7 @@
 // The embedding interface of tumble.h over Game.
 #include <chrono>
 #include <fstream>
+#include <utility>
 
 #include "app/runtime_impl.h"
 #include "base/text.h"
@@ -38,9 +39,9 @@ void Runtime::Impl::open_window() {
 
 void Runtime::Impl::open_sound() {
   if (mixer) return mixer->stop_all();  // of the game before
-  if (!host.options.sound) return;
+  if (!host.options.sound && !host.options.sound_track) return;
   mixer = std::make_unique<Mixer>();
-  audio = Audio::open(*mixer);
+  if (!host.options.sound_track) audio = Audio::open(*mixer);
 }
 
 void Runtime::Impl::open_game(const Stored& kept) {
@@ -86,9 +87,20 @@ void Runtime::Impl::draw(double alpha, double dt) {
 }
 
 void Runtime::Impl::hear() {
-  if (!mixer) return;
+  if (!audio) return;
   mixer->update(game->heard());
   audio->poll();
+}
+
+// A tick's worth of sound, whatever time it took to compute.
+void Runtime::Impl::hear_tick() {
+  if (!mixer || audio) return;
+  mixer->update(game->heard());
+  track_frames += game->tick_seconds() * mixer->rate();
+  const auto frames = static_cast<int>(track_frames + 1e-6);
+  track_frames -= frames;
+  track.resize(track.size() + 2 * static_cast<std::size_t>(frames));
+  mixer->mix(track.data() + track.size() - 2 * static_cast<std::size_t>(frames), frames);
 }
 
 void Runtime::Impl::handle_keys(const WindowEvents& events) {
@@ -212,6 +224,7 @@ void Runtime::tick(int count) {
   for (int i = 0; i < count; ++i) {
     impl_->game->poll_changes();
     impl_->tick_once();
+    impl_->hear_tick();
   }
   impl_->hear();
 }
@@ -270,6 +283,11 @@ std::vector<std::uint8_t> Runtime::picture(int& width, int& height) const {
   width = picture.width;
   height = picture.height;
   return std::move(picture.pixels);
+}
+
+std::vector<float> Runtime::take_sound() {
+  if (!impl_->host.options.sound_track) fail("take_sound: no sound is kept; set Options::sound_track");
+  return std::exchange(impl_->track, {});
 }
 
 void Runtime::reload() {

@@ -25,7 +25,9 @@ struct __attribute__((visibility("hidden"))) Runtime::Impl {
   std::unique_ptr<Renderer> renderer;
   std::unique_ptr<Game> game;
   std::unique_ptr<Mixer> mixer;    // null: nothing is heard
-  std::unique_ptr<Audio> audio;
+  std::unique_ptr<Audio> audio;    // null: what is mixed goes to the sound track
+  std::vector<float> track;
+  double track_frames = 0;         // that are still to be mixed: a tick need not last a whole number of them
   std::vector<InputEvent> pending;
   std::int64_t frames = 0;
   Clock::time_point last_frame;
@@ -46,6 +48,7 @@ struct __attribute__((visibility("hidden"))) Runtime::Impl {
   void tick_once();
   void draw(double alpha, double dt);
   void hear();
+  void hear_tick();
   void handle_keys(const WindowEvents& events);
   void serve_input(const WindowEvents& events);
 };

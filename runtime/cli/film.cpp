@@ -1,7 +1,10 @@
 #include "cli/film.h"
 
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
+#include <utility>
 
 #include "cli/program.h"
 
@@ -26,19 +29,34 @@ void check_film(const std::string& file) {
     throw Error("play: --record needs the program ffmpeg, which is not here; install it (apt-get install ffmpeg), or use --shot for a picture");
 }
 
+bool Film::has_sound(const std::string& file) { return file.ends_with(".mp4"); }
+
+Film::Film(std::string file) : file_(std::move(file)), pictures_(file_) {
+  if (!has_sound(file_)) return;
+  pictures_ = file_ + ".pictures.mp4";
+  sound_ = file_ + ".sound";
+}
+
 Film::~Film() {
   if (pipe_) pclose(pipe_);
+  if (sound_file_) std::fclose(sound_file_);
+  std::error_code ignored;
+  if (!sound_.empty()) {
+    std::filesystem::remove(sound_, ignored);
+    std::filesystem::remove(pictures_, ignored);
+  }
 }
 
 void Film::open(int width, int height) {
   std::signal(SIGPIPE, SIG_IGN);  // where ffmpeg gives up, finish() says so
   const std::string command = "ffmpeg -y -loglevel error -f rawvideo -pix_fmt rgb24 -s " + std::to_string(width) + "x" + std::to_string(height) +
-                              " -r " + std::to_string(kFramesASecond) + " -i - " + (is_gif(file_) ? kGif : kMp4) + " " + shell_word(file_);
+                              " -r " + std::to_string(kFramesASecond) + " -i - " + (is_gif(file_) ? kGif : kMp4) + " " + shell_word(pictures_);
   pipe_ = popen(command.c_str(), "w");
   if (!pipe_) throw Error("play: --record: ffmpeg could not be started");
 }
 
 void Film::take(Runtime& runtime) {
+  if (!sound_.empty()) take_sound(runtime);
   const double played = static_cast<double>(runtime.tick_number()) * runtime.tick_seconds();
   while (frames_ < played * kFramesASecond) {
     runtime.draw();
@@ -50,11 +68,29 @@ void Film::take(Runtime& runtime) {
   }
 }
 
+void Film::take_sound(Runtime& runtime) {
+  if (!sound_file_) sound_file_ = std::fopen(sound_.c_str(), "wb");
+  if (!sound_file_) throw Error("play: --record: '" + sound_ + "' cannot be written");
+  const std::vector<float> samples = runtime.take_sound();
+  heard_ |= std::any_of(samples.begin(), samples.end(), [](float sample) { return sample != 0; });
+  std::fwrite(samples.data(), sizeof(float), samples.size(), sound_file_);
+}
+
+// Pictures as they are, with the sound beside them; a silent film has no sound at all.
+void Film::join_sound() {
+  std::fclose(std::exchange(sound_file_, nullptr));
+  if (!heard_) return std::filesystem::rename(pictures_, file_);
+  const std::string command = "ffmpeg -y -loglevel error -i " + shell_word(pictures_) + " -f f32le -ar 48000 -ac 2 -i " + shell_word(sound_) +
+                              " -c:v copy -c:a aac -b:a 160k -movflags +faststart " + shell_word(file_);
+  if (std::system(command.c_str()) != 0) throw Error("play: --record: ffmpeg could not write '" + file_ + "' (see above)");
+}
+
 void Film::finish() {
   if (!pipe_) return;
   const int status = pclose(pipe_);
   pipe_ = nullptr;
   if (status != 0) throw Error("play: --record: ffmpeg could not write '" + file_ + "' (see above)");
+  if (sound_file_) join_sound();
 }
 
 }  // namespace tumble::cli

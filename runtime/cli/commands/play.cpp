@@ -121,6 +121,7 @@ int play_headless(const Play& play) {
 int play_offscreen(const Play& play) {
   Options options = options_of(play);
   options.offscreen = true;
+  options.sound_track = !play.mute && Film::has_sound(play.record);
   Runtime runtime(options);
   load(runtime, play);
   std::optional<Film> film;

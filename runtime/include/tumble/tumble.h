@@ -88,6 +88,7 @@ struct Options {
   bool watch = false;          // run the text again at every save (folders only)
   bool bot = false;            // let the game's bot.lua play
   bool sound = false;          // let the game be heard; where there is no device it is silent
+  bool sound_track = false;    // keep what would be heard in tick() for take_sound() instead
   std::uint64_t seed = 1;      // of the game's random numbers
   int width = 0, height = 0;   // of the window or picture in pixels; 0 takes the game's own
   bool fullscreen = false;
@@ -172,6 +173,8 @@ class TUMBLE_API Runtime {
   void finish_drawing();
   void save_picture(const std::string& png_file);    // of the last draw()
   std::vector<std::uint8_t> picture(int& width, int& height) const;  // RGB, rows from the top
+  // What was to be heard in tick() since the last call: left and right in turn, -1 to 1, 48000 of each in a second.
+  std::vector<float> take_sound();
   // Runs changed scripts again now; with Options::watch frame() does so by itself, and tick() where it is called.
   void reload();
 
