@@ -15,34 +15,34 @@ using namespace tumble;
 namespace {
 
 using Files = std::map<std::string, std::string>;
-using Names = std::set<std::string>;
+using NameSet = std::set<std::string>;
 using What = DocumentedName::Kind;
 
-Names names_of(const std::string& area, bool object, What kind) {
-  Names names;
+NameSet names_of(const std::string& area, bool object, What kind) {
+  NameSet names;
   for (const DocumentedName& entry : documented_names())
     if (entry.area == area && entry.object == object && entry.kind == kind) names.insert(entry.name);
   return names;
 }
 
-Names matches(const std::string& text, const std::string& pattern) {
+NameSet matches(const std::string& text, const std::string& pattern) {
   const std::regex expression(pattern);
-  Names names;
+  NameSet names;
   for (std::sregex_iterator at(text.begin(), text.end(), expression), end; at != end; ++at) names.insert((*at)[1]);
   return names;
 }
 
 // The names in a list of scripts/boot/names.lua: names.node_events = { "on_collision_enter", ... }.
-Names boot_list(const std::string& list) {
+NameSet boot_list(const std::string& list) {
   const std::string text = read_source(source_tree("scripts/boot/names.lua"));
   const std::size_t begin = text.find("names." + list + " = {");
   REQUIRE(begin != std::string::npos);
   return matches(text.substr(begin, text.find('}', begin) - begin), "\"([a-z_]+)\"");
 }
 
-Names joined(std::initializer_list<Names> lists) {
-  Names all;
-  for (const Names& list : lists) all.insert(list.begin(), list.end());
+NameSet joined(std::initializer_list<NameSet> lists) {
+  NameSet all;
+  for (const NameSet& list : lists) all.insert(list.begin(), list.end());
   return all;
 }
 
@@ -103,7 +103,7 @@ TEST_CASE("generated: the committed documents and types are what the table gives
 }
 
 TEST_CASE("generated: no document is left over", "[script][generated]") {
-  Names known;
+  NameSet known;
   for (const auto& [path, text] : document_files()) known.insert(path);
 
   for (const char* folder : {"docs/api", "scripts/types"})
@@ -130,14 +130,14 @@ TEST_CASE("generated: a running game has every name in the table", "[script][gen
 
 TEST_CASE("generated: a running game has no global name that is in no document", "[script][generated]") {
   TestGame game(Files{{"main.lua", "for name in pairs(_ENV) do print(name) end\n"}});
-  Names known = {"assert", "error", "ipairs", "pairs", "next", "pcall", "xpcall", "select", "tonumber", "tostring", "type", "setmetatable",
+  NameSet known = {"assert", "error", "ipairs", "pairs", "next", "pcall", "xpcall", "select", "tonumber", "tostring", "type", "setmetatable",
                  "getmetatable", "rawequal", "rawget", "rawlen", "coroutine", "string", "table", "utf8", "host"};
   for (const DocumentedName& entry : documented_names()) {
     if (entry.area == "globals") known.insert(entry.name);
     else if (!entry.object && entry.area != "handlers" && entry.area != "bot" && entry.area.find('.') == std::string::npos) known.insert(entry.area);
   }
 
-  Names found;
+  NameSet found;
   std::istringstream printed(game.printed());
   for (std::string name; std::getline(printed, name);) found.insert(name);
 
@@ -146,7 +146,7 @@ TEST_CASE("generated: a running game has no global name that is in no document",
 }
 
 TEST_CASE("generated: the events in the documents are those that boot calls", "[script][generated]") {
-  const Names phases = boot_list("phases"), input = boot_list("input_events"), on_nodes = boot_list("node_events");
+  const NameSet phases = boot_list("phases"), input = boot_list("input_events"), on_nodes = boot_list("node_events");
 
   CHECK(names_of("node", true, What::event) == joined({on_nodes, {"update"}}));
   CHECK(names_of("handlers", false, What::event) == joined({phases, input, boot_list("file_events")}));
