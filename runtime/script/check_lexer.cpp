@@ -12,6 +12,7 @@ constexpr std::array kKeywords = {"and", "break", "do",  "else", "elseif", "end"
                                   "in",  "local", "nil", "not",  "or",     "repeat", "return", "then", "true",     "until", "while"};
 
 bool begins_name(char c) { return std::isalpha(static_cast<unsigned char>(c)) || c == '_'; }
+bool is_exponent(char c) { return c == 'e' || c == 'E' || c == 'p' || c == 'P'; }
 bool in_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
 class Lexer {
@@ -57,7 +58,7 @@ class Lexer {
   }
   void number() {
     const std::size_t begin = at_;
-    while (in_name(peek()) || (peek() == '.' && peek(1) != '.') || ((peek() == '-' || peek() == '+') && std::tolower(text_[at_ - 1]) == 'e')) ++at_;
+    while (in_name(peek()) || (peek() == '.' && peek(1) != '.') || ((peek() == '-' || peek() == '+') && is_exponent(text_[at_ - 1]))) ++at_;
     add(Token::Kind::number, std::string(text_.substr(begin, at_ - begin)));
   }
   void quoted(char quote) {

@@ -18,7 +18,8 @@ const char* const kLuaWords[] = {
     "reverse", "sub", "upper", "pack", "packsize", "unpack", "concat", "insert", "move", "remove", "sort", "codepoint", "codes", "offset", "charpattern", "n",
     "abs", "ceil", "cos", "deg", "exp", "floor", "fmod", "huge", "log", "max", "min", "maxinteger", "mininteger", "modf", "pi", "rad", "random", "sin", "sqrt", "tan", "acos",
     "asin", "atan", "tointeger", "ult"};
-const char* const kTestWords[] = {"test", "expect", "press", "release", "tap", "set_axis", "point_at", "click", "is_on_screen"};
+const char* const kTestWords[] = {"test", "expect", "press", "release", "tap", "set_axis", "point_at", "click", "is_on_screen", "type_text", "turn_wheel"};
+const char* const kExpectations[] = {"equals", "near", "above", "below", "contains", "raises"};
 
 std::vector<std::string> list_of(const std::set<std::string>& words) { return {words.begin(), words.end()}; }
 
@@ -68,12 +69,36 @@ void check_fields(const LuaText& text, Check& check) {
   }
 }
 
-// A key in braces that nobody reads and that is nearly a word of the engine: { volum = 1 }.
+// Of each word: does it stand in braces that a function of the engine gets, and so has a meaning for the engine? What
+// behaviours get is the game's own.
+std::vector<bool> engine_tables(const std::vector<Token>& t, const std::set<std::string>& api) {
+  std::vector<bool> marks(t.size());
+  std::vector<bool> open;
+  for (std::size_t i = 1; i < t.size(); ++i) {
+    if (t[i].is("{")) {
+      const std::size_t call = t[i - 1].is("(") && i > 1 ? i - 2 : i - 1;
+      const bool to_engine = t[call].is_name() && call > 1 && t[call - 1].is(".") && api.count(t[call].text);
+      const bool own = i > 1 && t[i - 1].is("=") && (t[i - 2].is("behaviours") || t[i - 2].is("physics"));
+      open.push_back(!own && (open.empty() ? to_engine : open.back()));
+    } else if (t[i].is("}") && !open.empty()) {
+      open.pop_back();
+    } else if (t[i].is("function")) {
+      open.push_back(false);      // until its end, which is as good as the next brace
+    } else if (t[i].is("end") && !open.empty() && !open.back()) {
+      open.pop_back();
+    }
+    marks[i] = !open.empty() && open.back();
+  }
+  return marks;
+}
+
+// A key in such braces that nobody reads and that is nearly a word of the engine: { volum = 1 }.
 void check_keys(const LuaText& text, const std::set<std::string>& api, Check& check) {
   const std::vector<Token>& t = text.tokens;
   const std::vector<std::string> words = list_of(api);
+  const std::vector<bool> in_table = engine_tables(t, api);
   for (std::size_t i = 1; t[i].kind != Token::Kind::end; ++i) {
-    const bool is_key = t[i].is_name() && t[i + 1].is("=") && (t[i - 1].is("{") || t[i - 1].is(",") || t[i - 1].is(";"));
+    const bool is_key = in_table[i] && t[i].is_name() && t[i + 1].is("=") && (t[i - 1].is("{") || t[i - 1].is(",") || t[i - 1].is(";"));
     if (!is_key || api.count(t[i].text) || check.reads.count(t[i].text) || !is_near_enough(t[i].text)) continue;
     if (check.literals.count(t[i].text) || check.handlers.count(t[i].text)) continue;
     const std::string near = did_you_mean(t[i].text, words);
@@ -103,6 +128,7 @@ void check_handlers(const LuaText& text, const std::vector<std::string>& events,
 
 std::set<std::string> api_words() {
   std::set<std::string> words(std::begin(kLuaWords), std::end(kLuaWords));
+  words.insert(std::begin(kExpectations), std::end(kExpectations));
   for (const DocumentedName& entry : documented_names()) {
     words.insert(entry.name);
     words.insert(entry.area);
@@ -155,7 +181,7 @@ std::string check_config() {
   std::string modules;
   std::map<std::string, std::set<std::string>> fields;
   for (const DocumentedName& entry : documented_names())
-    if (!entry.object && entry.area != "globals" && entry.area != "handlers" && entry.area != "bot" && entry.kind != DocumentedName::Kind::event) fields[entry.area].insert(entry.name);
+    if (!entry.object && entry.area != "globals" && entry.area != "handlers" && entry.area != "bot" && entry.kind != DocumentedName::Kind::event && entry.area.find('.') == std::string::npos) fields[entry.area].insert(entry.name);
   for (const auto& [module, names] : fields) {
     modules += "    " + module + " = { fields = {";
     for (const std::string& name : names) modules += " " + name + " = { read_only = false, other_fields = true },";

@@ -17,13 +17,14 @@ namespace tumble::cli {
 
 namespace {
 
-// Told once for each place, whoever finds it.
+// Where several look, a place is told once.
 struct Report {
   std::set<std::pair<std::string, int>> places;
   int errors = 0, warnings = 0;
 
-  void tell(const std::string& file, int line, const std::string& text, bool is_error) {
-    if (line > 0 && !places.emplace(file, line).second) return;
+  // `again`: although something else was told of that line.
+  void tell(const std::string& file, int line, const std::string& text, bool is_error, bool again = false) {
+    if (line > 0 && !places.emplace(file, line).second && !again) return;
     std::cout << file << ':' << (line > 0 ? std::to_string(line) + ":" : "") << ' ' << (is_error ? "" : "warning: ") << text << '\n';
     ++(is_error ? errors : warnings);
   }
@@ -72,7 +73,7 @@ void run_first_tick(const std::string& game, Report& report) {
 
 int check_game(const std::string& game) {
   Report report;
-  for (const Finding& found : check(game)) report.tell(found.file, found.line, found.text, found.is_error);
+  for (const Finding& found : check(game)) report.tell(found.file, found.line, found.text, found.is_error, true);
   if (!game.ends_with(".tumble")) run_luacheck(game, report);
   try {
     run_first_tick(game, report);
