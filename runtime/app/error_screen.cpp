@@ -6,22 +6,20 @@
 
 namespace tumble {
 
-namespace {
-
-constexpr double kHeight = 720;  // ui units
-
-void add_panel(DrawList& list, double x, double y, double width, double height, Color color) {
+void add_panel(DrawList& list, double x, double y, double width, double height, const Color& color) {
   DrawUi entry;
   entry.panel = {static_cast<float>(x), static_cast<float>(y), static_cast<float>(width), static_cast<float>(height), color};
   list.ui.push_back(entry);
 }
 
-void add_text(DrawList& list, const std::string& text, double x, double y, double size, Color color, bool mono = false) {
+void add_text(DrawList& list, const std::string& text, double x, double y, double size, const Color& color, bool mono) {
   DrawUi entry;
   entry.is_text = true;
   entry.text = {text, static_cast<float>(x), static_cast<float>(y), static_cast<float>(size), color, mono};
   list.ui.push_back(entry);
 }
+
+namespace {
 
 // Broken into lines that fit the width, at spaces where there are any.
 std::vector<std::string> wrap(const std::string& text, double size, double width, bool mono) {
@@ -52,12 +50,12 @@ std::vector<std::string> wrap(const std::string& text, double size, double width
 
 void add_error_screen(DrawList& list, const ScriptFailure& failure, double aspect) {
   constexpr double margin = 40, size = 22;
-  const double width = kHeight * aspect - 2 * margin;
+  const double width = kUiHeight * aspect - 2 * margin;
   const std::vector<std::string> message = wrap(failure.text, size, width - 40, false);
   std::vector<std::string> trace = wrap(failure.traceback, 16, width - 40, true);
   if (trace.size() > 9) trace.resize(9);
   const double height = 40 + static_cast<double>(message.size()) * size + (failure.source.empty() ? 0 : 44) + static_cast<double>(trace.size()) * 16 + 56;
-  double y = std::max(20.0, kHeight - margin - height);
+  double y = std::max(20.0, kUiHeight - margin - height);
   add_panel(list, margin, y, width, height, {0.12, 0.05, 0.06, 0.92});
   add_panel(list, margin, y, 6, height, {0.9, 0.25, 0.2, 1});
   y += 20;
@@ -82,7 +80,7 @@ void add_error_screen(DrawList& list, const ScriptFailure& failure, double aspec
 
 void add_lines(DrawList& list, const std::vector<std::pair<std::string, Color>>& lines, double) {
   constexpr double size = 18;
-  double y = kHeight - 16 - size * static_cast<double>(lines.size());
+  double y = kUiHeight - 16 - size * static_cast<double>(lines.size());
   for (const auto& [text, color] : lines) {
     const TextSize measure = measure_text(text, size);
     add_panel(list, 12, y, measure.width + 12, size, {0, 0, 0, 0.45});
@@ -94,7 +92,7 @@ void add_lines(DrawList& list, const std::vector<std::pair<std::string, Color>>&
 void add_watches(DrawList& list, const std::vector<std::pair<std::string, std::string>>& watches, double aspect) {
   constexpr double size = 18, width = 260;
   double y = 90;
-  const double x = kHeight * aspect - width - 12;
+  const double x = kUiHeight * aspect - width - 12;
   for (const auto& [name, value] : watches) {
     add_panel(list, x, y, width, size, {0, 0, 0, 0.45});
     add_text(list, name, x + 6, y, size, {0.75, 0.85, 1, 1});

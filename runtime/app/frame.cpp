@@ -2,6 +2,8 @@
 #include "app/error_screen.h"
 #include "app/game.h"
 
+#include <utility>
+
 namespace tumble {
 
 void Game::tick(std::vector<InputEvent> events) {
@@ -17,7 +19,7 @@ void Game::tick(std::vector<InputEvent> events) {
   script.take_ui_input(events);
   const std::vector<InputNotice> notices = engine_->input.sample(events);
 
-  script.tick_drawing() = {};
+  Drawing last_drawing = std::exchange(script.tick_drawing(), {});
   script.deliver_input(notices);
   if (!script.module_settings().paused || script.steps_wanted > 0) {
     if (script.steps_wanted > 0) --script.steps_wanted;
@@ -30,6 +32,11 @@ void Game::tick(std::vector<InputEvent> events) {
     script.animation_events(engine_->take_animation_ends());
     script.late_update(dt);
     engine_->step_particles(dt);
+    standing_.reset();
+  } else if (!standing_) {
+    standing_ = std::move(last_drawing);
+    standing_->ui.clear();
+    standing_->watches.clear();
   }
   script.flush();
   script.draw_ui();
@@ -50,7 +57,7 @@ DrawList Game::draw(double alpha, double dt, double aspect) {
   DrawList list = extract(*engine_, alpha, aspect);
   list.assets = assets_.get();
   add_script_drawing(list);
-  add_debug_lines(list);
+  add_debug(list, alpha, aspect);
   add_log_overlay(list, aspect);
   if (script_->shown_error) add_error_screen(list, *script_->shown_error, aspect);
   return list;

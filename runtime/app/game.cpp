@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/debug_view.h"
 #include "app/error_screen.h"
 #include "assets/game_path.h"
 #include "base/text.h"
@@ -165,7 +166,8 @@ void Game::screen_shape(double aspect, std::vector<InputEvent>& events) const {
 // ---- what is drawn beside the scene
 
 void Game::add_script_drawing(DrawList& list) {
-  for (const Drawing* drawing : {&script_->tick_drawing(), &script_->frame_drawing()}) {
+  for (const Drawing* drawing : {standing_ ? &*standing_ : nullptr, &script_->tick_drawing(), &script_->frame_drawing()}) {
+    if (!drawing) continue;
     for (std::size_t i = 0; i < drawing->lines.size(); ++i) {
       DrawLine line = drawing->lines[i];
       const Vec3 from = drawing->ends[i].first - list.origin, to = drawing->ends[i].second - list.origin;
@@ -182,26 +184,11 @@ void Game::next_debug_view() {
   script_->set_debug_view(static_cast<DebugView>((view + 1) % static_cast<int>(enum_names(DebugView{}).size())));
 }
 
-void Game::add_debug_lines(DrawList& list) {
-  const DebugView view = script_->module_settings().debug_view;
-  if (view == DebugView::none || !engine_->world()) return;
-  const bool all = view == DebugView::physics;
-  DebugOptions options;
-  options.colliders = all || view == DebugView::colliders;
-  options.joints = all || view == DebugView::joints;
-  options.boxes = view == DebugView::boxes;
-  options.contacts = all || view == DebugView::contacts;
-  std::vector<DebugLine> lines;
-  engine_->world()->debug_lines(options, lines);
-  for (const DebugLine& debug : lines) {
-    DrawLine line;
-    const Vec3 from = debug.from - list.origin, to = debug.to - list.origin;
-    line.from = {static_cast<float>(from.x), static_cast<float>(from.y), static_cast<float>(from.z)};
-    line.to = {static_cast<float>(to.x), static_cast<float>(to.y), static_cast<float>(to.z)};
-    line.color = debug.color;
-    line.on_top = view != DebugView::colliders;
-    list.lines.push_back(line);
-  }
+void Game::add_debug(DrawList& list, double alpha, double aspect) {
+  std::vector<DebugQuery> queries = script_->tick_drawing().queries;
+  for (const Drawing* drawing : {standing_ ? &*standing_ : nullptr, &script_->frame_drawing()})
+    if (drawing) queries.insert(queries.end(), drawing->queries.begin(), drawing->queries.end());
+  add_debug_view(list, *engine_, script_->module_settings().debug_view, queries, alpha, aspect);
 }
 
 void Game::add_log_overlay(DrawList& list, double aspect) {

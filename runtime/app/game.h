@@ -40,6 +40,7 @@ class Game {
   // Looks for saved files and runs the text again.
   void poll_changes();
   void reload(const std::vector<std::string>& changed);
+  void say(const std::string& text) { note(LogLevel::note, text); }
   // The picture of now: alpha 0 shows the last tick, 1 this one. Calls the scripts' frame(dt).
   DrawList draw(double alpha, double dt, double aspect);
   // What is to be heard now.
@@ -70,7 +71,7 @@ class Game {
   static void join_motion(std::vector<InputEvent>& events);
   void take_screen_shape(std::vector<InputEvent>& events);
   void add_script_drawing(DrawList& list);
-  void add_debug_lines(DrawList& list);
+  void add_debug(DrawList& list, double alpha, double aspect);
   void add_log_overlay(DrawList& list, double aspect);
 
   const GameHost& host_;
@@ -85,6 +86,7 @@ class Game {
   std::optional<StorageFile> storage_file_;
   std::size_t replay_at_ = 0;
   std::set<std::string> hints_;
+  std::optional<Drawing> standing_;    // lines and queries of the world's last tick, while it is paused
   std::vector<std::pair<std::int64_t, LogLine>> recent_log_;   // tick and line, for the overlay
 };
 

@@ -64,20 +64,7 @@ void Runtime::Impl::tick_once() {
   game->tick(std::move(events));
   for (const Rumble& rumble : std::exchange(game->script().requests.rumbles, {}))
     if (window) window->rumble(rumble.pad, rumble.strength, rumble.seconds);
-  if (game->script().requests.restart) restart();
-}
-
-// A game.json that became faulty meanwhile must not end the game that runs.
-void Runtime::Impl::restart() {
-  const Stored kept = game->script().storage.now();
-  try {
-    open_game(kept);
-    if (host.on_log) host.on_log(LogLevel::note, "restarted");
-  } catch (const Error& error) {
-    game->script().requests.restart = false;
-    game->script().shown_error = ScriptFailure{error.what(), "", "", 0, "", true};
-    if (host.on_log) host.on_log(LogLevel::error, error.what());
-  }
+  serve_requests();
 }
 
 void Runtime::Impl::draw(double alpha, double dt) {
@@ -106,6 +93,7 @@ void Runtime::Impl::hear_tick() {
 void Runtime::Impl::handle_keys(const WindowEvents& events) {
   for (const std::string& key : events.keys) {
     if (key == "f3") game->next_debug_view();
+    if (key == "f1") go_home();
     if (key == "f5") restart();
     if (key == "f11") window->set_fullscreen(!window->fullscreen());
   }

@@ -21,6 +21,7 @@ using Clock = std::chrono::steady_clock;
 struct __attribute__((visibility("hidden"))) Runtime::Impl {
   GameHost host;
   std::string path;
+  std::string home;             // the game that opened this one and comes back after it; "": none did
   std::unique_ptr<Window> window;
   std::unique_ptr<Renderer> renderer;
   std::unique_ptr<Game> game;
@@ -44,7 +45,13 @@ struct __attribute__((visibility("hidden"))) Runtime::Impl {
   void open_window();
   void open_game(const Stored& kept = {});   // kept: what it stored before a restart
   void open_sound();
+  // runtime_games.cpp
+  void serve_requests();
   void restart();
+  void open_other(const std::string& other);
+  void go_home();
+  bool reopen(const std::string& wanted, const Stored& kept, const std::string& note);
+
   void tick_once();
   void draw(double alpha, double dt);
   void hear();

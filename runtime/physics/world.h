@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "physics/body.h"
-#include "physics/debug_lines.h"
+#include "physics/debug_view.h"
 #include "physics/events.h"
 #include "physics/joint.h"
 #include "physics/query.h"
@@ -120,7 +120,10 @@ class World {
   // distance is negative where they overlap, and point + normal * -distance is outside.
   std::vector<QueryHit> penetrations(const Shape& shape, const Pose& at, double within, const QueryFilter& filter = {}) const;
 
-  void debug_lines(const DebugOptions& options, std::vector<DebugLine>& lines) const;
+  // ---- for the debug view: bodies that are enabled, joints that hold, solids that touched in the last step
+  void each_debug_body(const std::function<void(const DebugBody&)>& f) const;
+  void each_debug_joint(const std::function<void(const DebugJoint&)>& f) const;
+  void each_contact(const std::function<void(const ContactEvent&)>& f) const;
   WorldStats stats() const;
   std::uint64_t hash() const;             // poses and velocities of all bodies, in order of age
 

@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "base/text.h"
+#include "engine/ui/options.h"
+#include "physics/wire.h"
 #include "render/renderer.h"
 #include "script/areas.h"
 #include "script/script.h"
@@ -11,10 +13,9 @@ namespace tumble {
 
 namespace {
 
-void add_line(Script& s, Vec3 from, Vec3 to, const Color& color, bool on_top = false) {
+void add_line(Script& s, Vec3 from, Vec3 to, const Color& color) {
   DrawLine line;
   line.color = color;
-  line.on_top = on_top;
   s.drawing().lines.push_back(line);
   s.drawing().ends.emplace_back(from, to);
 }
@@ -41,29 +42,35 @@ void path(Script& s, Value points, std::optional<Color> color) {
   for (std::size_t i = 1; i < list.size(); ++i) add_line(s, list[i - 1], list[i], color.value_or(Color{}));
 }
 
+void shape(Script& s, Shape shape, Vec3 position, std::optional<Quat> rotation, std::optional<Color> color) {
+  if (!shape.file.empty()) {   // the edges of a whole model hide it; its hull shows where it is
+    if (shape.shape != ShapeKind::height_field) shape.shape = ShapeKind::hull;
+    shape = s.engine().with_points(shape);
+  }
+  const Pose place{position, rotation.value_or(Quat{})};
+  for (const WireLine& line : wire_of(shape)) add_line(s, place * line.from, place * line.to, color.value_or(Color{}));
+}
+
 // Text in the world is text on the screen where the place is seen.
-void world_text(Script& s, Vec3 position, std::string words, std::optional<Color> color) {
+void world_text(Script& s, Vec3 position, std::string words, std::optional<Color> color, std::optional<double> size) {
+  if (size && !(*size > 0 && *size <= kUiHeight)) fail("draw.text: size: above 0 and at most ", kUiHeight, " ui units expected, got ", number_text(*size));
   double x = 0, y = 0;
   if (!to_screen(camera_view(s.live_engine()), position, s.aspect, x, y)) return;
   DrawUi entry;
   entry.is_text = true;
-  entry.text = {words, static_cast<float>(x), static_cast<float>(y), 20, color.value_or(Color{}), false};
+  entry.text = {words, static_cast<float>(x), static_cast<float>(y), static_cast<float>(size.value_or(20)), color.value_or(Color{}), false};
   s.drawing().ui.push_back(entry);
 }
 
 }  // namespace
-
-void Script::note_ray(Vec3 from, Vec3 to) {
-  if (live_settings_.debug_view != DebugView::physics || phase_ != Phase::run || tick_drawing_.lines.size() > 10000) return;
-  add_line(*this, from, to, {1, 1, 0, 1});
-}
 
 void rows_draw(Area& a) {
   a.fn<line>("line", "A line between two points.", "from", "to", "color");
   a.fn<arrow>("arrow", "An arrow from one point to another.", "from", "to", "color");
   a.fn<point>("point", "A small cross.", "position", "size", "color");
   a.fn<path>("path", "Lines through a list of points.", "points", "color").takes(0, "list of vec3");
-  a.fn<world_text>("text", "Text at a place in the world.", "position", "text", "color");
+  a.fn<shape>("shape", "The edges of a shape: \"box\", or a table as for a mesh; of a model its hull's.", "shape", "position", "rotation", "color").takes(0, "string or table");
+  a.fn<world_text>("text", "Text at a place in the world; size is its line height in ui units (20).", "position", "text", "color", "size");
 }
 
 }  // namespace tumble

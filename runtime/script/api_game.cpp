@@ -125,6 +125,7 @@ void rows_game(Area& a) {
   a.fn<finish>("finish", "The game has come to its end; headless runs stop.").acts();
   a.fn<restart>("restart", "Starts everything anew, as F5 does.").acts();
   a.fn<quit>("quit", "Leaves.").acts();
+  rows_games(a);
 }
 
 void rows_task(Area& a) {

@@ -129,6 +129,11 @@ QueryFilter LuaType<QueryFilter>::read(Arguments& a) {
 }
 int LuaType<QueryFilter>::push(lua_State* L, const QueryFilter& v) { return push_object(L, Tag::filter, FilterData{v}), 1; }
 
+bool Script::shows_queries() const {
+  const DebugView view = live_settings_.debug_view;
+  return (view == DebugView::rays || view == DebugView::physics) && (phase_ == Phase::run || phase_ == Phase::frame);
+}
+
 // In a game without a body rays hit nothing.
 World& Script::world_or_empty() {
   if (World* world = engine().world()) return *world;
@@ -233,7 +238,15 @@ namespace {
 
 using MaybeFilter = std::optional<QueryFilter>;
 
-Results push_maybe_hit(Script& s, const std::optional<QueryHit>& found, Vec3 origin, Vec3 end) {
+void note_query(Script& s, Vec3 from, Vec3 to, double stop, const std::vector<QueryHit>& hits, const Shape* shape = nullptr) {
+  DebugQuery query{from, to, stop, {}, {}};
+  if (shape) query.shape = *shape;
+  for (const QueryHit& hit : hits) query.hits.emplace_back(hit.point, hit.normal);
+  s.drawing().queries.push_back(std::move(query));
+}
+
+Results push_maybe_hit(Script& s, const std::optional<QueryHit>& found, Vec3 origin, Vec3 end, const Shape* shape = nullptr) {
+  if (s.shows_queries()) note_query(s, origin, end, found ? found->distance : distance(origin, end), found ? std::vector{*found} : std::vector<QueryHit>{}, shape);
   if (found) push_hit(s.stack(), query_hit(s, *found, origin, end));
   else lua_pushnil(s.stack());
   return {1};
@@ -241,7 +254,6 @@ Results push_maybe_hit(Script& s, const std::optional<QueryHit>& found, Vec3 ori
 
 Results raycast(Script& s, Vec3 origin, Vec3 direction, Length length, MaybeFilter filter) {
   direction = direction_or_fail(direction, "physics.raycast");
-  s.note_ray(origin, origin + direction * length.metres);
   return push_maybe_hit(s, need_world(s).raycast(origin, direction, length.metres, filter.value_or(QueryFilter{})), origin,
                         origin + direction * length.metres);
 }
@@ -252,16 +264,20 @@ Results raycast_to(Script& s, Vec3 from, Vec3 to, MaybeFilter filter) {
 Results raycast_all(Script& s, Vec3 origin, Vec3 direction, Length length, MaybeFilter filter) {
   direction = direction_or_fail(direction, "physics.raycast_all");
   lua_State* L = s.stack();
+  const std::vector<QueryHit> hits = need_world(s).raycast_all(origin, direction, length.metres, filter.value_or(QueryFilter{}));
+  if (s.shows_queries()) note_query(s, origin, origin + direction * length.metres, length.metres, hits);
   lua_newtable(L);
   lua_Integer n = 0;
-  for (const QueryHit& found : need_world(s).raycast_all(origin, direction, length.metres, filter.value_or(QueryFilter{}))) {
+  for (const QueryHit& found : hits) {
     push_hit(L, query_hit(s, found, origin, origin + direction * length.metres));
     lua_rawseti(L, -2, ++n);
   }
   return {1};
 }
 bool raycast_any(Script& s, Vec3 origin, Vec3 direction, Length length, MaybeFilter filter) {
-  return need_world(s).raycast_any(origin, direction_or_fail(direction, "physics.raycast_any"), length.metres, filter.value_or(QueryFilter{}));
+  direction = direction_or_fail(direction, "physics.raycast_any");
+  if (s.shows_queries()) note_query(s, origin, origin + direction * length.metres, length.metres, {});
+  return need_world(s).raycast_any(origin, direction, length.metres, filter.value_or(QueryFilter{}));
 }
 Results pick(Script& s, MaybeFilter filter) {
   const CameraView view = camera_view(s.engine());
@@ -277,19 +293,25 @@ Shape solid(Script& s, Shape shape) {
 
 Results cast(Script& s, Shape shape, Vec3 origin, Vec3 direction, Length length, MaybeFilter filter) {
   direction = direction_or_fail(direction, "physics.cast");
-  return push_maybe_hit(s, need_world(s).cast(solid(s, shape), {origin, {}}, direction, length.metres, filter.value_or(QueryFilter{})), origin,
-                        origin + direction * length.metres);
+  shape = solid(s, shape);
+  return push_maybe_hit(s, need_world(s).cast(shape, {origin, {}}, direction, length.metres, filter.value_or(QueryFilter{})), origin,
+                        origin + direction * length.metres, &shape);
 }
 std::vector<NodeRef> overlap(Script& s, Shape shape, Vec3 position, MaybeFilter filter) {
+  shape = solid(s, shape);
+  if (s.shows_queries()) note_query(s, position, position, 0, {}, &shape);
   std::vector<NodeRef> found;
-  for (const BodyId body : need_world(s).overlap(solid(s, shape), {position, {}}, filter.value_or(QueryFilter{}))) found.push_back({s.engine().node_of(body)});
+  for (const BodyId body : need_world(s).overlap(shape, {position, {}}, filter.value_or(QueryFilter{}))) found.push_back({s.engine().node_of(body)});
   return found;
 }
 Results penetrations(Script& s, Shape shape, Vec3 position, double within, MaybeFilter filter) {
   lua_State* L = s.stack();
+  shape = solid(s, shape);
+  const std::vector<QueryHit> hits = need_world(s).penetrations(shape, {position, {}}, within, filter.value_or(QueryFilter{}));
+  if (s.shows_queries()) note_query(s, position, position, 0, hits, &shape);
   lua_newtable(L);
   lua_Integer n = 0;
-  for (const QueryHit& found : need_world(s).penetrations(solid(s, shape), {position, {}}, within, filter.value_or(QueryFilter{}))) {
+  for (const QueryHit& found : hits) {
     push_hit(L, query_hit(s, found, position, position));
     lua_rawseti(L, -2, ++n);
   }
@@ -360,7 +382,7 @@ void rows_physics(Area& a) {
   a.prop<iterations, set_iterations>("iterations", "How often the solver goes over all contacts and joints in a small step.");
   a.prop<default_friction, set_default_friction>("default_friction", "Friction of a body that gives none.");
   a.prop<default_restitution, set_default_restitution>("default_restitution", "Restitution of a body that gives none.");
-  a.prop<debug_view, set_debug_view>("debug_view", "What F3 shows: none, colliders, joints, boxes, contacts or physics (all).");
+  a.prop<debug_view, set_debug_view>("debug_view", "What F3 steps through: none, colliders, joints, boxes, contacts, rays, velocities, names, or physics: all but boxes and names.");
 }
 
 void rows_hit(Area& a) {

@@ -39,6 +39,7 @@ const std::vector<const Type*>& ui_option_types();   // for the documents
 void rows_storage(Area&);
 void rows_log(Area&);
 void rows_game(Area&);
+void rows_games(Area&);        // game.list, game.open
 void rows_task(Area&);
 void rows_property_module(Area&);
 void rows_property(Area&);

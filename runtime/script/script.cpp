@@ -14,7 +14,7 @@
 namespace tumble {
 
 const EnumNames& enum_names(DebugView) {
-  static const EnumNames names = {"none", "colliders", "joints", "boxes", "contacts", "physics"};
+  static const EnumNames names = {"none", "colliders", "joints", "boxes", "contacts", "rays", "velocities", "names", "physics"};
   return names;
 }
 

@@ -53,9 +53,10 @@ struct Rumble {
 struct GameRequests {
   bool finish = false, quit = false, restart = false;
   std::vector<Rumble> rumbles;   // of this tick
+  std::string open;              // another game in this one's folder
 };
 
-enum class DebugView { none, colliders, joints, boxes, contacts, physics };
+enum class DebugView { none, colliders, joints, boxes, contacts, rays, velocities, names, physics };
 const EnumNames& enum_names(DebugView);
 
 // Settings that a file's top level may write, beside the scene: compared between two runs of the text.
@@ -71,11 +72,20 @@ struct ModuleSettings {
 };
 void describe(ModuleSettings& settings, Schema& s);
 
+// What a script asked of the world, for the debug view.
+struct DebugQuery {
+  Vec3 from, to;                    // of a ray or cast; of an overlap both are its place
+  double stop = 0;                  // how far it came, m
+  std::optional<Shape> shape;       // of a cast or overlap
+  std::vector<std::pair<Vec3, Vec3>> hits;  // points and normals
+};
+
 // What Lua drew in this tick or frame.
 struct Drawing {
   std::vector<DrawLine> lines;      // world space in `from`, `to`: made relative when the picture is made
   std::vector<std::pair<Vec3, Vec3>> ends;  // of each line, world, m
   std::vector<DrawUi> ui;
+  std::vector<DebugQuery> queries;  // only while the debug view shows them
   std::vector<std::pair<std::string, std::string>> watches;  // log.watch: name, value
 };
 
@@ -218,7 +228,7 @@ class Script {
   CameraView view_of(NodeId camera) const;
   HitData hit_of(const ContactEvent& event, BodyId self) const;
   World& world_or_empty();                             // for queries, which make no world
-  void note_ray(Vec3 from, Vec3 to);                   // for the debug view
+  bool shows_queries() const;                          // does the debug view want them noted in drawing()?
   bool joint_has_option(const std::string& type, const std::string& name) const;
   // Handler slots of nodes ("on_collision_enter"): push the function, or keep the one at `value`. False where the name
   // is no event's; a name near to one is an Error.

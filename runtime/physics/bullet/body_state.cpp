@@ -80,6 +80,7 @@ void apply_numbers(BodyState& body) {
 }
 
 void build(BodyState& body, const Pose& pose) {
+  body.wire.reset();
   body.mass = mass_properties(body.def);
   body.frame = {body.mass.center, body.mass.axes};
   auto solids = std::make_unique<ShapeSet>(body.def, false, body.frame);

@@ -19,6 +19,11 @@ struct Path {
   btVector3 velocity, turning;
 };
 
+// The colliders as lines, in the body's frame.
+struct BodyWire {
+  Wire solids, triggers;
+};
+
 struct BodyState {
   BodyDef def;
   const Materials* materials = nullptr;  // the world's
@@ -46,6 +51,7 @@ struct BodyState {
   bool was_asleep = false;
   bool moving = false;            // kinematic: `path` holds for the next step
   Path path;
+  mutable std::unique_ptr<const BodyWire> wire;  // made when the debug view asks for it first
 
   std::vector<Pair*> pairs;       // what it touches
   std::vector<JointPart*> joints;
