@@ -73,21 +73,23 @@ void check_fields(const LuaText& text, Check& check) {
 // behaviours get is the game's own.
 std::vector<bool> engine_tables(const std::vector<Token>& t, const std::set<std::string>& api) {
   std::vector<bool> marks(t.size());
-  std::vector<bool> open;
+  enum class Block { engine, other, function };
+  std::vector<Block> open;
   for (std::size_t i = 1; i < t.size(); ++i) {
     if (t[i].is("{")) {
       const std::size_t call = t[i - 1].is("(") && i > 1 ? i - 2 : i - 1;
       const bool to_engine = t[call].is_name() && call > 1 && t[call - 1].is(".") && api.count(t[call].text);
       const bool own = i > 1 && t[i - 1].is("=") && (t[i - 2].is("behaviours") || t[i - 2].is("physics"));
-      open.push_back(!own && (open.empty() ? to_engine : open.back()));
+      const bool outermost = open.empty() || open.back() == Block::function;
+      open.push_back(!own && (outermost ? to_engine : open.back() == Block::engine) ? Block::engine : Block::other);
     } else if (t[i].is("}") && !open.empty()) {
       open.pop_back();
     } else if (t[i].is("function")) {
-      open.push_back(false);      // until its end, which is as good as the next brace
-    } else if (t[i].is("end") && !open.empty() && !open.back()) {
-      open.pop_back();
+      open.push_back(Block::function);
+    } else if (t[i].is("end") && !open.empty() && open.back() == Block::function) {
+      open.pop_back();            // at the first end, be it an if's: braces inside are outermost all the same
     }
-    marks[i] = !open.empty() && open.back();
+    marks[i] = !open.empty() && open.back() == Block::engine;
   }
   return marks;
 }
