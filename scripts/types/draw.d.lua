@@ -31,9 +31,18 @@ function draw.point(position, size, color) end
 ---@param color? color|string
 function draw.path(points, color) end
 
---- Text at a place in the world.
+--- The edges of a shape: "box", or a table as for a mesh; of a model its hull's.
+---@param shape string or table
+---@param position vec3
+---@param rotation? quat
+---@param color? color|string
+---@overload fun(shape: string or table, position_x: number, position_y: number, position_z: number, rotation?: quat, color?: color|string)
+function draw.shape(shape, position, rotation, color) end
+
+--- Text at a place in the world; size is its line height in ui units (20).
 ---@param position vec3
 ---@param text string
 ---@param color? color|string
----@overload fun(position_x: number, position_y: number, position_z: number, text: string, color?: color|string)
-function draw.text(position, text, color) end
+---@param size? number
+---@overload fun(position_x: number, position_y: number, position_z: number, text: string, color?: color|string, size?: number)
+function draw.text(position, text, color, size) end

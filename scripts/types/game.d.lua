@@ -17,3 +17,11 @@ function game.restart() end
 
 --- Leaves.
 function game.quit() end
+
+--- The games in the folders of this one, for a menu: { path, about } each. A folder with a main.lua is a game, and so is every other script in a folder; about is its first comment.
+---@return table[]
+function game.list() end
+
+--- Plays one of them at the end of the tick, from its start; F1 or its game.quit() comes back.
+---@param path string
+function game.open(path) end

@@ -9,7 +9,7 @@
 ---@field iterations integer How often the solver goes over all contacts and joints in a small step.
 ---@field default_friction number Friction of a body that gives none.
 ---@field default_restitution number Restitution of a body that gives none.
----@field debug_view string What F3 shows: none, colliders, joints, boxes, contacts or physics (all).
+---@field debug_view string What F3 steps through: none, colliders, joints, boxes, contacts, rays, velocities, names, or physics: all but boxes and names.
 physics = {}
 
 --- The first body that the ray hits, or nil. The direction may have any length but zero.
