@@ -4,7 +4,7 @@ local turn_speed = 0.004     -- radians for one ui unit of the pointer
 local yaw, pitch = 0, 0
 
 local eye = scene.add { name = "eye", position = vec3(0, 1.7, 0), camera = {} }
-scene.add { name = "floor", mesh = { shape = "plane", size = vec3(30, 0, 30) }, color = "darkseagreen" }
+scene.add { name = "floor", mesh = { shape = "plane", size = vec3(30, 1, 30) }, color = "darkseagreen" }
 for i = 0, 11 do
   local around = quat.axis_angle(vec3.up, i * math.pi / 6)
   scene.add { name = "stone " .. i, position = around * vec3(0, 1, -8), rotation = around,

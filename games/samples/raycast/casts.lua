@@ -18,6 +18,6 @@ function update(dt)
 
   local circling = vec3(3 * math.cos(time.now), 0.5, -1 + math.sin(time.now))
   for _, post in ipairs(physics.overlap({ shape = "box", size = vec3(1, 1, 1) }, circling)) do
-    draw.shape(post.mesh, post.position, post.rotation, "lime")
+    draw.shape({ shape = "cylinder", radius = 0.2, height = 1.1 }, post.position, post.rotation, "lime")
   end
 end
