@@ -173,18 +173,24 @@ end
 
 -- A fall leads back to the first stop of the section.
 local levels = {
-  { { walk_to "coin 1", walk_to "coin 2", walk_to "start", walk_to("stone 1", 0.3), walk_to("stone 2", 0.3) },
+  {
+    { walk_to "coin 1", walk_to "coin 2", walk_to "start", walk_to("stone 1", 0.3), walk_to("stone 2", 0.3) },
     { push("crate", "cliff"), walk_to("checkpoint 1", 0.6) },
-    { board "ferry", ride "ferry", walk_to "green", walk_to("lever", 1), use, walk_to "green", walk_to "neck", walk_to "bridge",
-      walk_to "glade" },
+    { board "ferry", ride "ferry", walk_to "green", walk_to("lever", 1), use, walk_to "coin 8", walk_to "green", walk_to "neck",
+      walk_to "bridge", walk_to "glade" },
     { bounce("mushroom", "terrace"), walk_to("checkpoint 2", 0.6) },
-    { walk_to("wheel 1", 0.3), walk_to("wheel 2", 0.3), walk_to "summit", walk_to("goal", 0.2) } },
-  { { walk_to("start", 1), walk_to("seesaw/plank", 0.5), walk_to("mill", 4), walk_to "coin 5", walk_to "coin 6", walk_to("stone 1", 0.3),
-      walk_to("checkpoint 1", 0.6) },
-    { push("crate", "plate"), walk_to "court", walk_to "neck", walk_to "landing" },
+    { walk_to "coin 14", walk_to "terrace", walk_to("wheel 1", 0.3), walk_to("wheel 2", 0.3), walk_to "coin 18", walk_to "coin 17",
+      walk_to("goal", 0.2) },
+  },
+  {
+    { walk_to "coin 1", walk_to "coin 2", walk_to("start", 1), walk_to("seesaw/plank", 0.5), walk_to("mill", 4), walk_to "coin 5",
+      walk_to "coin 6", walk_to("stone 1", 0.3), walk_to("checkpoint 1", 0.6) },
+    { push("crate", "plate"), walk_to "court", walk_to "coin 8", walk_to "court", walk_to "neck", walk_to "landing" },
     { board "lift", ride "lift", walk_to("checkpoint 2", 0.6) },
-    { seat("carousel", 4.4), dwell("carousel", "perch", 4.4), walk_to("checkpoint 3", 0.6) },
-    { walk_to "bridge", walk_to "grove", bounce("mushroom 1", "ledge"), bounce("mushroom 2", "summit"), walk_to "summit", walk_to("goal", 0.2) } },
+    { walk_to "coin 11", walk_to "balcony", seat("carousel", 4.4), dwell("carousel", "perch", 4.4), walk_to("checkpoint 3", 0.6) },
+    { walk_to "coin 13", walk_to "perch", walk_to "bridge", walk_to "grove", bounce("mushroom 1", "ledge"),
+      bounce("mushroom 2", "summit"), walk_to "coin 19", walk_to "coin 20", walk_to "summit", walk_to("goal", 0.2) },
+  },
 }
 
 local function falls() return game.report.falls or 0 end
@@ -209,9 +215,9 @@ local function play_level(sections)
 end
 
 return function()
-  for _, sections in ipairs(levels) do
+  for number, sections in ipairs(levels) do
     wait(1)
-    tap("start", 0.1)
+    click(number == 1 and "Play" or "Next level")
     wait(0.5)
     play_level(sections)
   end

@@ -1,4 +1,4 @@
--- The player who touches it comes back here after a fall. Its flag rises and turns green.
+-- The player who touches it comes back here after a fall. Its flag rises and turns green, its lamp is lit.
 local Checkpoint = behaviour { raise = 1.2 }      -- m above its node, where the player appears
 
 function Checkpoint:start() self.is_reached = false end
@@ -8,8 +8,12 @@ function Checkpoint:on_trigger_enter(hit)
   self.is_reached = true
   hit.node:send("checkpoint", self.node.world_position + vec3.up * self.raise)
   scene.send("checkpoint_reached")
-  local flag = self.node:get("flag")
+
+  local flag, lamp = self.node:get("flag"), self.node:get("lamp")
   tween(flag, 0.5, { position = flag.position:with_y(2.2), color = "limegreen" }, { ease = "out_back" })
+  tween(lamp.light, 0.5, { brightness = 1.2 })
+  lamp.particles:burst(24)
+  sound.play("sounds/checkpoint.ogg", { at = self.node })
 end
 
 return Checkpoint

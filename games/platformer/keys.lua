@@ -1,18 +1,29 @@
--- Names of keys for people.
+-- Actions in words for people: {jump} in a text becomes "Space", or the pad's button where a pad was used last.
 local keys = {}
 
-local words = { escape = "Esc", pointer = "Left button" }
+local pad = false
 
--- The first key of an action, as it stands on the keyboard.
-function keys.name(action)
-  local key = input.bindings(action)[1]
-  if not key then return "-" end
-  return words[key] or (key:sub(1, 1):upper() .. key:sub(2)):gsub("_", " ")
+local function is_pad(name) return name:sub(1, 3) == "pad" end
+
+local function notice_device()
+  for _, action in ipairs { "left", "right", "forward", "back", "jump", "use" } do
+    for _, name in ipairs(input.bindings(action)) do
+      if input.is_down(name) then pad = is_pad(name) end
+    end
+  end
 end
 
--- A text in which every {action} is the name of its key.
+local function word(action)
+  local names = input.bindings(action)
+  for _, name in ipairs(names) do
+    if is_pad(name) == pad then return input.describe(name) end
+  end
+  return #names > 0 and input.describe(names[1]) or "-"
+end
+
 function keys.fill(text)
-  return (text:gsub("{(%w+)}", keys.name))
+  notice_device()
+  return (text:gsub("{([%w_]+)}", word))
 end
 
 return keys

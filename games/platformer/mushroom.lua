@@ -2,7 +2,8 @@
 local Mushroom = behaviour { height = 4.6 }     -- m
 
 function Mushroom:on_trigger_enter(hit)
-  hit.node:send("bounce", self.height)
+  if not hit.node:send("bounce", self.height) then return end
+  sound.play("sounds/bounce.ogg", { at = self.node })
   tween(self.node:get("cap"), 0.12, { scale = vec3(1.25, 0.6, 1.25) }, { ease = "out", back = true })
 end
 

@@ -1,20 +1,25 @@
--- A plate in the ground: while anything stands on it, its target is open.
-local Plate = behaviour { target = property.node() }
+-- A plate in the ground: while anything stands on it, its button is down and green, and its target is on.
+local Plate = behaviour { target = property.node(), depth = 0.07 }       -- m
 
 function Plate:start()
-  self.load = 0         -- how many bodies stand on it
+  self.visitors = 0
   self.button = self.node:get("button")
-  self.rest = self.button.position
+  self.rest, self.color = self.button.position, self.button.color
 end
 
-function Plate:on_trigger_enter() self:change(1) end
-function Plate:on_trigger_exit() self:change(-1) end
+function Plate:on_trigger_enter() self:count(1) end
+function Plate:on_trigger_exit() self:count(-1) end
 
-function Plate:change(by)
-  self.load = self.load + by
-  local is_down = self.load > 0
-  self.target:send(is_down and "open" or "close")
-  tween(self.button, 0.15, { position = self.rest - vec3.up * (is_down and 0.07 or 0), color = is_down and "limegreen" or "#e0533d" })
+function Plate:count(change)
+  local was_on = self.visitors > 0
+  self.visitors = self.visitors + change
+  local on = self.visitors > 0
+  if on == was_on then return end
+
+  self.target:send("switched", on)
+  sound.play("sounds/plate.ogg", { at = self.node, pitch = on and 1 or 0.8 })
+  local place = on and self.rest - vec3.up * self.depth or self.rest
+  tween(self.button, 0.15, { position = place, color = on and "limegreen" or self.color })
 end
 
 return Plate

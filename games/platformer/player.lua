@@ -27,6 +27,8 @@ end
 
 -- Sent by hazards. Back to the last checkpoint.
 function Player:on_hurt()
+  sound.play("sounds/hurt.ogg", { at = self.node })
+  input.rumble(0.6, 0.2)
   self.character:stop()
   self.node:teleport(self.home)
   scene.send("fell")
@@ -36,6 +38,9 @@ end
 function Player:on_checkpoint(place) self.home = place end
 
 -- Sent by mushrooms.
-function Player:on_bounce(height) self.character:launch(height) end
+function Player:on_bounce(height)
+  self.character:launch(height)
+  input.rumble(0.3, 0.15)
+end
 
 return Player

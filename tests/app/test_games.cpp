@@ -109,6 +109,7 @@ TEST_CASE("games: without the bot none is finished, and other input gives anothe
 TEST_CASE("games: a saved number changes the platformer while it plays, and place and time are kept", "[games]") {
   Edited game("platformer");
   Runtime& runtime = game.runtime;
+  runtime.tick(2);           // the title is there
   runtime.press("space");
   runtime.tick(1);
   runtime.release("space");
@@ -139,6 +140,7 @@ TEST_CASE("games: a saved number changes the platformer while it plays, and plac
 TEST_CASE("games: a syntax error is told, the old code plays on, and the mend is taken", "[games]") {
   Edited game("platformer");
   Runtime& runtime = game.runtime;
+  runtime.tick(2);           // the title is there
   runtime.press("space");
   runtime.tick(1);
   runtime.release("space");

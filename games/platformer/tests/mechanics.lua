@@ -1,7 +1,7 @@
 -- What levers, plates, crates, planks and platforms do when the player comes.
 local function begin(level)
   wait(0.2)
-  tap("start", 0.05)
+  click("Play")
   wait(0.2)
   if level then scene.load(level) end
   wait(1)                                 -- what hangs and tips comes to rest

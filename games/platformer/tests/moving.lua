@@ -1,7 +1,7 @@
 -- How the player moves, through the keys that a person presses.
 local function begin()
   wait(0.2)
-  tap("start", 0.05)
+  click("Play")
   wait(0.3)
   local player = scene.get("player")
   return player, player.behaviours.character, player.behaviours.player
