@@ -72,7 +72,7 @@ end)
 
 -- Walks over the edge of a small field and presses jump so many ticks after the ground was lost; did it jump?
 local function jumps_after_the_edge(ticks)
-  local player, character = begin_on_a_field(6)
+  local _, character = begin_on_a_field(6)
   press("forward")
   wait_until(function() return not character.is_grounded end, 3)
   for _ = 1, ticks do wait(0) end
