@@ -13,6 +13,7 @@ local Aim = behaviour {
 }
 
 function Aim:start()
+  self.is_allowed = false
   self.by = "nothing"                 -- "nothing", "pointer", "keys"
   self.right, self.back = 0, 0        -- the pull
   self.from_x, self.from_y = 0, 0     -- where the pointer's pull began
@@ -68,7 +69,9 @@ function Aim:by_keys(dt)
 end
 
 function Aim:update(dt)
-  if self.ball.state == "held" then
+  if not self.is_allowed then
+    self.by = "nothing"
+  elseif self.ball.state == "held" then
     self:by_pointer()
     self:by_keys(dt)
   end

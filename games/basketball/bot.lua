@@ -29,7 +29,7 @@ return function()
   local next_target, n = "plate 3", 0      -- the golden one once, while it hangs
   while not game.is_finished do
     local aim = scene.get("ball").behaviours.aim
-    if aim.enabled and aim.ball.state == "held" then
+    if aim.is_allowed and aim.ball.state == "held" then
       throw_at(scene.get(next_target).world_position, aim)
       n = n % #targets + 1
       next_target = targets[n]

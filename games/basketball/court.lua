@@ -4,14 +4,15 @@ local hoop = vec3(0, 3.05, -4.2)
 local white, steel = "#f4efe2", "#4b4658"
 
 -- ---- the floor and what is painted on it, layer on layer
-scene.add { name = "floor", position = vec3(0, -0.1, 1), material = { color = "#5a5474", texture = "textures/asphalt.png", texture_size = 3 },
+local function asphalt(color) return { color = color, texture = "textures/asphalt.png", texture_size = 3 } end
+scene.add { name = "floor", position = vec3(0, -0.1, 1), material = asphalt("#5a5474"),
   mesh = { shape = "box", size = vec3(30, 0.2, 24) }, body = { type = "static", restitution = 0.8 } }
 
 local layers = 0
 local function paint(name, x, z, width, depth, color, turn)
   layers = layers + 1
-  return scene.add { name = name, position = vec3(x, 0.002 + layers * 0.0004, z),
-    material = { color = color, texture = "textures/asphalt.png", texture_size = 3 }, rotation = quat.axis_angle(vec3.up, turn or 0), mesh = { shape = "box", size = vec3(width, 0.004, depth) } }
+  return scene.add { name = name, position = vec3(x, 0.002 + layers * 0.0004, z), material = asphalt(color),
+    rotation = quat.axis_angle(vec3.up, turn or 0), mesh = { shape = "box", size = vec3(width, 0.004, depth) } }
 end
 
 paint("court", 0, 1.1, 15, 13, "#2c8c8f")
@@ -60,8 +61,9 @@ for _, turn in ipairs { vec3(0, 0, 0), vec3(90, 0, 0), vec3(0, 0, 90) } do   -- 
     mesh = { shape = "torus", radius = 0.1185, thickness = 0.006 } }
 end
 -- Burns while a streak counts most often.
-scene.add { name = "fire", parent = skin, particles = { playing = false, rate = 80, life = 0.5, speed = 0.3, spread_degrees = 180,
-  area = vec3(0.1, 0.1, 0.1), size = 0.2, color = "#ffc04a", color_end = color("#e2402a"):with_alpha(0), glow = 1, gravity_factor = -0.2 } }
+scene.add { name = "fire", parent = skin, particles = { playing = false, rate = 80, life = 0.5,
+  speed = 0.3, spread_degrees = 180, gravity_factor = -0.2, area = vec3(0.1, 0.1, 0.1), size = 0.2,
+  color = "#ffc04a", color_end = color("#e2402a"):with_alpha(0), glow = 1 } }
 scene.add { name = "arc", behaviours = { arc = {} } }
 
 -- ---- the hoop: board, ring, net
@@ -93,8 +95,8 @@ scene.add { name = "hoop", position = hoop, behaviours = { hoop = {} },
 
 local confetti = scene.add { name = "confetti", position = hoop - vec3(0, 0.3, 0) }
 for _, paper in ipairs { "#ffc65a", "#38c6d9", "#ff6b57", "#fbf6ea" } do
-  scene.add { parent = confetti, particles = { playing = false, life = 1.6, speed = 4, spread_degrees = 75, size = 0.13, size_end = 0.1,
-    color = paper, glow = 0.5, gravity_factor = 0.4 } }
+  scene.add { parent = confetti, particles = { playing = false, life = 1.6, speed = 4, spread_degrees = 75,
+    gravity_factor = 0.4, size = 0.13, size_end = 0.1, color = paper, glow = 0.5 } }
 end
 
 -- ---- three plates to hit: each hangs from its frame on a hinge with a spring; the golden one tears off
@@ -114,7 +116,8 @@ for i, target in ipairs(targets) do
   local plate = scene.add { name = "plate " .. i, position = top - vec3(0, 0.5, 0),
     behaviours = { target = { points = target.points } },
     body = { mass = 1.5, restitution = 0.3, colliders = { shape = "box", size = vec3(0.8, 0.8, 0.06) } } }
-  scene.add { name = "picture", tags = "replayed", parent = plate, color = target.color, mesh = { shape = "box", size = vec3(0.8, 0.8, 0.06) } }
+  scene.add { name = "picture", tags = "replayed", parent = plate, color = target.color,
+    mesh = { shape = "box", size = vec3(0.8, 0.8, 0.06) } }
   scene.add { name = "sparks", parent = plate, particles = { playing = false, life = 0.9, speed = 4, spread_degrees = 180,
     size = 0.16, color = "#fff0b0", color_end = "#ff9a3c", glow = 1, gravity_factor = 0.6 } }
   joint.hinge { name = "hinge", a = plate, b = stand, anchor = vec3(0, 0.5, 0), axis = vec3.right,
@@ -126,4 +129,5 @@ end
 scene.add { name = "replay", behaviours = { replay = {} } }
 scene.add { name = "match", behaviours = { match = {} } }
 scene.add { name = "camera rig", position = vec3(0, 2.6, 3.8), behaviours = { cameraman = {} }, children = {
-  { name = "camera", camera = { field_of_view_degrees = 48 }, behaviours = { shake = { distance = 0.12, turn_degrees = 2 } } } } }
+  { name = "camera", camera = { field_of_view_degrees = 48 },
+    behaviours = { shake = { distance = 0.12, turn_degrees = 2 } } } } }

@@ -21,10 +21,10 @@ local function draw_clock(match)
     ui.box { x = x - 110, y = 20, width = 220, height = 50, radius = 14, color = dark }
     return ui.text("Free play", { at = "top", y = 4, size = 30, color = gold })
   end
-  local hurry = match.seconds_left < 10
+  local lit = match.seconds_left < 10 and red or gold
   ui.box { x = x - 210, y = 20, width = 420, height = 62, radius = 14, color = dark }
-  ui.text(math.ceil(match.seconds_left), { x = x - 196, y = 25, size = 46, color = hurry and red or gold })
-  ui.bar(match.seconds_left / match.round_seconds, { x = x - 124, y = 40, width = 316, height = 22, color = hurry and red or gold })
+  ui.text(math.ceil(match.seconds_left), { x = x - 196, y = 25, size = 46, color = lit })
+  ui.bar(match.seconds_left / match.round_seconds, { x = x - 124, y = 40, width = 316, height = 22, color = lit })
 end
 
 local function draw_streak(match)

@@ -39,7 +39,7 @@ function Match:go_to_spot(i)
 end
 
 function Match:update(dt)
-  self.aim.enabled = self:is_on() and self.seconds_left > 0 and not self.replay.is_playing
+  self.aim.is_allowed = self:is_on() and self.seconds_left > 0 and not self.replay.is_playing
   if self.mode ~= "timed" or self.replay.is_playing then return end
   self:count_down(dt)
   if self.seconds_left > 0 then return end

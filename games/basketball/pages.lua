@@ -61,7 +61,8 @@ function pages.over()
   local mine = scores.latest
   menu.heading(mine and mine == scores.list[1] and "New record!" or "Time!")
   ui.text(match.score .. " points", { size = 46, color = gold })
-  ui.text(("%d of %d throws scored, best streak %d"):format(match.baskets, match.throws, match.best_streak), { size = 24, color = pale })
+  local facts = ("%d of %d throws scored, best streak %d"):format(match.baskets, match.throws, match.best_streak)
+  ui.text(facts, { size = 24, color = pale })
   if mine then
     local name, is_done = ui.field("Your name", mine.name, { length = 12 })
     scores.rename(mine, name)

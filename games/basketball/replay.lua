@@ -1,6 +1,6 @@
--- Shows the last throw again, from elsewhere and slower near the hoop. While the ball flies it writes down, tick by tick, where every
--- picture tagged "replayed" is; later it leads the pictures through that record. Bodies stand where they are: a picture
--- is only a child of its body, so the world does not notice.
+-- Shows the last throw again, from elsewhere and slower near the hoop. While the ball flies it writes down, tick by
+-- tick, where every picture tagged "replayed" is; later it leads the pictures through that record. Bodies stand where
+-- they are: a picture is only a child of its body, so the world does not notice.
 local Replay = behaviour {
   speed = 0.8, speed_near = 0.25,     -- of the world's, and the same near the hoop
   near = 1.4,                         -- m

@@ -5,7 +5,8 @@ local Scoreboard = behaviour {
 }
 
 -- Which bars are lit: top, upper left, upper right, middle, lower left, lower right, bottom.
-local shapes = { [0] = "1110111", "0010010", "1011101", "1011011", "0111010", "1101011", "1101111", "1010010", "1111111", "1111011" }
+local shapes = { [0] = "1110111", "0010010", "1011101", "1011011", "0111010",
+  "1101011", "1101111", "1010010", "1111111", "1111011" }
 
 function Scoreboard:start()
   self.match = scene.get("match").behaviours.match
@@ -17,11 +18,12 @@ end
 
 function Scoreboard:digit(x, y)
   local w, h = self.digit_width / 2, self.digit_height / 2
+  local flat, upright = vec3(2 * w - self.bar, self.bar, 0.02), vec3(self.bar, h - self.bar / 2, 0.02)
   local bars = {}
-  for i, place in ipairs { vec3(0, h, 0), vec3(-w, h / 2, 0), vec3(w, h / 2, 0), vec3(0, 0, 0), vec3(-w, -h / 2, 0), vec3(w, -h / 2, 0), vec3(0, -h, 0) } do
-    local is_flat = place.x == 0
+  for i, place in ipairs { vec3(0, h, 0), vec3(-w, h / 2, 0), vec3(w, h / 2, 0), vec3(0, 0, 0),
+    vec3(-w, -h / 2, 0), vec3(w, -h / 2, 0), vec3(0, -h, 0) } do
     bars[i] = scene.add { parent = self.node, position = vec3(x, y, 0.13) + place, color = self.dark,
-      mesh = { shape = "box", size = is_flat and vec3(2 * w - self.bar, self.bar, 0.02) or vec3(self.bar, h - self.bar / 2, 0.02) } }
+      mesh = { shape = "box", size = place.x == 0 and flat or upright } }
   end
   return bars
 end

@@ -13,7 +13,8 @@ local function box(name, position, size, color, more)
   return scene.add(node)
 end
 local function planks(name, position, size, parent)
-  return box(name, position, size, nil, { parent = parent, material = { color = "#d9986a", texture = "textures/wood.png", texture_size = 0.9 } })
+  return box(name, position, size, nil, { parent = parent,
+    material = { color = "#d9986a", texture = "textures/wood.png", texture_size = 0.9 } })
 end
 local function pole(name, position, radius, height, color)
   return scene.add { name = name, position = position + vec3.up * (height / 2), color = color,
@@ -69,14 +70,16 @@ local function people(stand, count)
     local row, seat = i % 3, i // 3
     scene.add { parent = crowd, position = vec3(-2.4 + 1.15 * seat + 0.3 * row, 0.46 + 0.4 * row, -0.75 * row),
       scale = vec3.one * random.between(0.85, 1.1), children = {
-        { position = vec3(0, 0.3, 0), color = random.choice(shirts), mesh = { shape = "capsule", radius = 0.17, height = 0.62 } },
+        { position = vec3(0, 0.3, 0), color = random.choice(shirts),
+          mesh = { shape = "capsule", radius = 0.17, height = 0.62 } },
         { position = vec3(0, 0.74, 0), color = random.choice(skins), mesh = { shape = "sphere", radius = 0.13 } } } }
   end
 end
 people(bleachers("bleachers", -8.2, -3.6, 72), 14)
 people(bleachers("bleachers", 8.4, -2.8, -76), 9)
 
-scene.add { name = "evening", position = vec3(0, 3, 0), sound = { file = "sounds/evening.ogg", volume = 0.4, range = 200, loop = true, playing = true } }
+scene.add { name = "evening", position = vec3(0, 3, 0),
+  sound = { file = "sounds/evening.ogg", volume = 0.4, range = 200, loop = true, playing = true } }
 
 -- ---- the scoreboard
 local board = box("scoreboard", vec3(5, 4.5, -8.1), vec3(4.4, 1.3, 0.2), "#231d30", { behaviours = { scoreboard = {} } })
@@ -85,7 +88,8 @@ for _, x in ipairs { 3.4, 6.6 } do pole("scoreboard post", vec3(x, 0, -8.25), 0.
 
 -- ---- clouds, lit from below
 for i = 1, 6 do
-  local cloud = scene.add { name = "cloud", position = vec3(-75 + 28 * i + random.between(-8, 8), random.between(30, 44), -100) }
+  local place = vec3(-75 + 28 * i + random.between(-8, 8), random.between(30, 44), -100)
+  local cloud = scene.add { name = "cloud", position = place }
   for puff = -1, 1 do
     scene.add { parent = cloud, position = vec3(7 * puff, random.between(-1, 1), 0), scale = vec3(1, 0.3, 0.6),
       material = { color = "#e8a79c", roughness = 1 }, mesh = { shape = "sphere", radius = random.between(4.5, 7) } }
