@@ -236,7 +236,7 @@ bool Runtime::frame() {
   const ModuleSettings& settings = impl.game->script().module_settings();
   impl.accumulator += real * (settings.paused ? 1 : settings.time_scale);
   int ticks = 0;
-  while (impl.accumulator >= h && !impl.quit) {
+  while (impl.accumulator >= h && !wants_quit()) {
     if (++ticks > kMostTicksAFrame) {  // too slow to keep up: the game slows down rather than freezing
       impl.accumulator = 0;
       break;
