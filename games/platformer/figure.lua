@@ -67,6 +67,6 @@ function Figure:on_land(speed)
 end
 
 -- Sent by main.lua at the goal.
-function Figure:on_cheer() self.cheers = true end
+function Figure:on_hooray() self.cheers = true end
 
 return Figure

@@ -97,7 +97,7 @@ function on_goal_reached()
   run.finish()
   run.is_record = records.add(run.level, run.seconds, run.coins)
   sound.play("sounds/goal.ogg")
-  scene.get("player"):send("cheer")
+  scene.get("player"):send("hooray")
   set_state(run.has_next() and "won" or "done")
   menu.show(state)
   if state == "done" then game.finish() end

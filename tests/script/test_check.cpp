@@ -93,5 +93,5 @@ TEST_CASE("check: any bytes are looked at without harm", "[script][check]") {
 
 TEST_CASE("check: luacheck is told of every module", "[script][check]") {
   const std::string config = check_config();
-  for (const char* word : {"scene = { fields = {", " raycast = {", "\"vec3\"", "\"behaviour\""}) CHECK(config.find(word) != std::string::npos);
+  for (const char* word : {"scene = { fields = {", " raycast = {", " vec3", "behaviour", "\"wait_until\""}) CHECK(config.find(word) != std::string::npos);
 }

@@ -1,6 +1,6 @@
 -- Watch: what the physics knows, drawn over the picture. F3 goes through the views by hand; here a new one comes every
 -- three seconds.
-scene.add { name = "camera", position = vec3(0, 3, 8), rotation_degrees = vec3(-12, 0, 0), camera = {} }
+scene.add { name = "camera", position = vec3(0, 2, 5.5), rotation_degrees = vec3(-12, 0, 0), camera = {} }
 scene.add { name = "floor", position = vec3(0, -0.1, 0), color = "gray", mesh = { shape = "box", size = vec3(10, 0.2, 6) }, body = "static" }
 local shapes = { { shape = "box" }, { shape = "sphere" }, { shape = "capsule", radius = 0.3, height = 1.2 }, { shape = "cone" },
   { shape = "cylinder" }, { shape = "pyramid" }, { shape = "torus", thickness = 0.3 } }
