@@ -1,0 +1,94 @@
+#include "accuracy/recorder.h"
+
+#include <ctime>
+
+namespace tumble::accuracy {
+
+namespace {
+
+// Cost is measured over the first minutes of a scene at most; what comes later need not be kept.
+constexpr std::size_t kLongestScript = 100000;
+constexpr int kContactsEvery = 16;  // ticks between two counts of contact points
+
+}  // namespace
+
+double thread_ms() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
+}
+
+Recorder::Recorder(std::unique_ptr<Simulation> engine, const SceneSettings& settings) : engine_(std::move(engine)), settings_(settings) {}
+
+template <class Change>
+auto Recorder::change(Change change) {
+  if (script_.size() < kLongestScript) script_.push_back({[change](Simulation& s) { change(s); }, 0, 0});
+  return change(*engine_);
+}
+
+BodyIndex Recorder::add(const BodyDef& body, const Pose& pose) {
+  ++bodies_;
+  return change([=](Simulation& s) { return s.add(body, pose); });
+}
+JointIndex Recorder::add(const JointSpec& joint) {
+  return change([=](Simulation& s) { return s.add(joint); });
+}
+void Recorder::remove(BodyIndex body) {
+  change([=](Simulation& s) { s.remove(body); });
+}
+void Recorder::remove_joint(JointIndex joint) {
+  change([=](Simulation& s) { s.remove_joint(joint); });
+}
+void Recorder::configure(BodyIndex body, const BodyDef& def) {
+  change([=](Simulation& s) { s.configure(body, def); });
+}
+void Recorder::configure_joint(JointIndex joint, const JointDef& def) {
+  change([=](Simulation& s) { s.configure_joint(joint, def); });
+}
+void Recorder::set_enabled(BodyIndex body, bool enabled) {
+  change([=](Simulation& s) { s.set_enabled(body, enabled); });
+}
+void Recorder::set_gravity(Vec3 gravity) {
+  change([=](Simulation& s) { s.set_gravity(gravity); });
+}
+void Recorder::teleport(BodyIndex body, const Pose& pose) {
+  change([=](Simulation& s) { s.teleport(body, pose); });
+}
+void Recorder::move(BodyIndex body, const Pose& pose) {
+  change([=](Simulation& s) { s.move(body, pose); });
+}
+void Recorder::set_velocity(BodyIndex body, Vec3 velocity) {
+  change([=](Simulation& s) { s.set_velocity(body, velocity); });
+}
+void Recorder::set_angular_velocity(BodyIndex body, Vec3 velocity) {
+  change([=](Simulation& s) { s.set_angular_velocity(body, velocity); });
+}
+void Recorder::apply_force(BodyIndex body, Vec3 force) {
+  change([=](Simulation& s) { s.apply_force(body, force); });
+}
+void Recorder::apply_torque(BodyIndex body, Vec3 torque) {
+  change([=](Simulation& s) { s.apply_torque(body, torque); });
+}
+void Recorder::apply_impulse(BodyIndex body, Vec3 impulse, std::optional<Vec3> point) {
+  change([=](Simulation& s) { s.apply_impulse(body, impulse, point); });
+}
+void Recorder::wake(BodyIndex body) {
+  change([=](Simulation& s) { s.wake(body); });
+}
+
+void Recorder::step(double seconds) {
+  const bool again = !script_.empty() && !script_.back().change && script_.back().seconds == seconds;
+  if (again) ++script_.back().steps;
+  else if (script_.size() < kLongestScript) script_.push_back({{}, seconds, 1});
+  const double begin = thread_ms();
+  engine_->step(seconds);
+  step_ms_ += thread_ms() - begin;
+  ++steps_;
+  simulated_ += seconds;
+  if (steps_ % kContactsEvery == 0) {
+    contact_points_ += engine_->contact_points();
+    ++contact_samples_;
+  }
+}
+
+}  // namespace tumble::accuracy
