@@ -12,6 +12,8 @@ Simulation& Trial::scene(const SceneSettings& settings) { return scene(settings,
 
 Simulation& Trial::scene(const SceneSettings& settings, const Knobs& knobs) {
   scenes_.push_back(std::make_unique<Recorder>(engine_.make(settings, knobs), settings));
+  scenes_.back()->stop_after(count_for_);
+  if (tracing_ && scenes_.size() == 1) scenes_.back()->trace();
   return *scenes_.back();
 }
 

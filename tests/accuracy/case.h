@@ -53,13 +53,18 @@ class Trial {
   // What is left to the runner: every scene that was made, in order.
   const std::vector<std::unique_ptr<Recorder>>& scenes() const { return scenes_; }
   bool was_shortened() const { return shortened_; }
+  // Before the first scene: every scene throws Recorder::Enough after so many simulated seconds.
+  void count_for(double seconds) { count_for_ = seconds; }
+  // Before the first scene: the first one keeps its energy and momenta.
+  void trace() { tracing_ = true; }
 
  private:
   const EngineKind& engine_;
   Knobs knobs_;
   Effort effort_;
   double perturb_;
-  bool shortened_ = false;
+  bool shortened_ = false, tracing_ = false;
+  double count_for_ = INFINITY;
   std::vector<std::unique_ptr<Recorder>> scenes_;
 };
 

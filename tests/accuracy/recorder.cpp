@@ -1,6 +1,10 @@
 #include "accuracy/recorder.h"
 
+#include <valgrind/callgrind.h>
+
 #include <ctime>
+
+#include "accuracy/scenes.h"
 
 namespace tumble::accuracy {
 
@@ -27,6 +31,7 @@ auto Recorder::change(Change change) {
 }
 
 BodyIndex Recorder::add(const BodyDef& body, const Pose& pose) {
+  if (body.type == BodyType::dynamic) movers_.push_back(bodies_);
   ++bodies_;
   return change([=](Simulation& s) { return s.add(body, pose); });
 }
@@ -34,6 +39,7 @@ JointIndex Recorder::add(const JointSpec& joint) {
   return change([=](Simulation& s) { return s.add(joint); });
 }
 void Recorder::remove(BodyIndex body) {
+  std::erase(movers_, body);
   change([=](Simulation& s) { s.remove(body); });
 }
 void Recorder::remove_joint(JointIndex joint) {
@@ -80,8 +86,11 @@ void Recorder::step(double seconds) {
   const bool again = !script_.empty() && !script_.back().change && script_.back().seconds == seconds;
   if (again) ++script_.back().steps;
   else if (script_.size() < kLongestScript) script_.push_back({{}, seconds, 1});
+  if (simulated_ >= stop_after_) throw Enough{};
   const double begin = thread_ms();
+  CALLGRIND_TOGGLE_COLLECT;  // off before; nothing outside valgrind
   engine_->step(seconds);
+  CALLGRIND_TOGGLE_COLLECT;
   step_ms_ += thread_ms() - begin;
   ++steps_;
   simulated_ += seconds;
@@ -89,6 +98,21 @@ void Recorder::step(double seconds) {
     contact_points_ += engine_->contact_points();
     ++contact_samples_;
   }
+  if (tracing_) add_trace();
+}
+
+void Recorder::add_trace() {
+  Trace now;
+  now.seconds = simulated_;
+  Vec3 momenta, spins;
+  for (const BodyIndex body : movers_) {
+    now.energy += energy(*this, body, settings_.gravity);
+    momenta += momentum(*this, body);
+    spins += angular_momentum(*this, body);
+  }
+  now.momentum = length(momenta);
+  now.spin = length(spins);
+  traces_.push_back(now);
 }
 
 }  // namespace tumble::accuracy

@@ -2,6 +2,7 @@
 // played again with nothing read in between: that is how cost is measured.
 #pragma once
 
+#include <cmath>
 #include <functional>
 
 #include "accuracy/simulation.h"
@@ -16,9 +17,19 @@ struct Operation {
 };
 using Script = std::vector<Operation>;
 
+// Energy and momenta of a whole scene at one time, for the report's traces.
+struct Trace {
+  double seconds = 0, energy = 0, momentum = 0, spin = 0;  // J, kg m/s and kg m^2/s about the origin
+};
+
 class Recorder final : public Simulation {
  public:
+  struct Enough {};  // thrown by step() where the seconds of `stop_after` are over
+
   Recorder(std::unique_ptr<Simulation> engine, const SceneSettings& settings);
+  void stop_after(double seconds) { stop_after_ = seconds; }
+  void trace() { tracing_ = true; }
+  const std::vector<Trace>& traces() const { return traces_; }
 
   const SceneSettings& settings() const { return settings_; }
   const Script& script() const { return script_; }
@@ -62,12 +73,16 @@ class Recorder final : public Simulation {
   // Keeps it for later, and does it now.
   template <class Change>
   auto change(Change change);
+  void add_trace();
 
   std::unique_ptr<Simulation> engine_;
   SceneSettings settings_;
   Script script_;
   int bodies_ = 0, steps_ = 0, contact_samples_ = 0;
-  double simulated_ = 0, step_ms_ = 0, contact_points_ = 0;
+  double simulated_ = 0, step_ms_ = 0, contact_points_ = 0, stop_after_ = INFINITY;
+  bool tracing_ = false;
+  std::vector<BodyIndex> movers_;  // dynamic bodies, where traced
+  std::vector<Trace> traces_;
 };
 
 // CPU time of this thread, ms.
