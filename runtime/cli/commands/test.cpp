@@ -14,7 +14,7 @@ namespace tumble::cli {
 
 namespace {
 
-const char* const kShellTests[] = {"tests/cli", "tests/window", "tests/embed"};
+const char* const kShellTests[] = {"tests/cli", "tests/window", "tests/embed", "tests/accuracy"};
 
 bool is_game(const fs::path& folder) { return fs::exists(folder / "main.lua") || fs::exists(folder / "game.json"); }
 

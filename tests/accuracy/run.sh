@@ -1,0 +1,78 @@
+#!/usr/bin/env bash
+# What `tumble measure` promises, seen from outside: `tests/accuracy/run.sh build/release`. A line `ok` or `FAILED` for each
+# claim. The spoiled runs show that the suite can fail.
+set -uo pipefail
+
+program=$(readlink -f "${1:?usage: run.sh BUILD_FOLDER}")/tumble
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+
+failures=0
+# claim NAME COMMAND...: the command is true. What it says is shown only where it is not.
+claim() {
+  local name=$1
+  shift
+  if "$@" >said 2>&1; then
+    printf 'ok %s\n' "$name"
+  else
+    printf 'FAILED %s\n' "$name"
+    tail -n 40 said | sed 's/^/  /'
+    failures=1
+  fi
+}
+# Column NAME of the rows of our engine in a CSV.
+column() {
+  awk -F, -v name="$2" 'NR == 1 { for (i = 1; i <= NF; i++) { if ($i == name) c = i; if ($i == "engine") e = i }; next } $e == "tumble" { print $c }' "$1"
+}
+
+# Each case of the suite is there: 32 of accuracy, 35 of stability, and the scenes that separate engines.
+complete() {
+  "$program" measure --list >list || return 1
+  local id
+  for id in $(printf 'A%02d ' {1..32}) $(printf 'B%02d ' {1..35}) $(printf 'S%02d ' {1..9}); do
+    grep -q "^$id " list || { echo "no case $id"; return 1; }
+  done
+}
+both_engines() {
+  "$program" measure --case A01 --csv rows.csv && cut -d, -f2 rows.csv | sort -u | tr '\n' ' ' | grep -qx 'engine stock tumble ' &&
+    [[ $(column rows.csv passed | sort -u) == 1 ]]
+}
+# A reference that is wrong by one per cent: nothing that is measured against it passes any more.
+perturbed() {
+  "$program" measure --case "$1" --engine tumble --default-only --csv right.csv &&
+    "$program" measure --case "$1" --engine tumble --default-only --perturb 0.01 --csv wrong.csv || return 1
+  paste -d' ' <(column right.csv passed) <(column wrong.csv passed) >pairs
+  cat pairs
+  grep -q '^1 ' pairs && ! grep -q '^1 1$' pairs
+}
+# One iteration in place of ten: the comparison must see it, and must see nothing where nothing was spoiled.
+spoiled() {
+  mkdir -p base
+  "$program" measure --case "$1" --engine tumble --default-only --csv base/rows.csv || return 1
+  "$program" measure --case "$1" --engine tumble --default-only --baseline base --compare || { echo 'the same run differs from itself'; return 1; }
+  local status=0
+  "$program" measure --case "$1" --engine tumble --knobs 1x1 --baseline base --compare >compared || status=$?
+  cat compared
+  [[ $status == 1 ]] && grep -q '^WORSE' compared
+}
+report() {
+  "$program" measure --case A01 --csv rows.csv --report out && [[ -s out/a01-cost.svg && -s out/a01-order.svg ]] &&
+    grep -q 'id=A01' out/index.html && "$program" measure --rows rows.csv --report again && cmp out/index.html again/index.html
+}
+refused() {
+  local text=$1 status=0
+  shift
+  "$@" >refusal 2>&1 || status=$?
+  cat refusal
+  [[ $status == 1 ]] && grep -qF -- "$text" refusal
+}
+
+claim 'measure: every case of the suite is listed' complete
+claim 'measure: one case runs on both engines' both_engines
+for id in A01 A02 A28; do claim "measure: $id fails where its reference is wrong by 1 %" perturbed $id; done
+claim 'measure: --compare notices a spoiled setting' spoiled B01
+claim 'measure: the report has its plots, and comes the same from the rows' report
+claim 'measure: an unknown case is refused' refused "no case 'A99'" "$program" measure --case A99
+claim 'measure: options of the suite are refused with a game' refused 'belongs to the suite' "$program" measure nothing --quick
+exit $failures
