@@ -3,7 +3,11 @@
 namespace tumble::accuracy {
 
 Case a01_free_fall();
+Case a02_projectile();
+Case a09_tennis_racket();
+Case a10_symmetric_top();
+Case a11_heavy_top();
 
-std::vector<Case> motion_cases() { return {a01_free_fall()}; }
+std::vector<Case> motion_cases() { return {a01_free_fall(), a02_projectile(), a09_tennis_racket(), a10_symmetric_top(), a11_heavy_top()}; }
 
 }  // namespace tumble::accuracy
