@@ -254,7 +254,9 @@ class StockSimulation final : public Simulation {
   void set_mass(StockBody& body) {
     if (body.def.type != BodyType::dynamic) return;
     const btScalar mass = static_cast<btScalar>(body.def.mass.value_or(1));
-    if (!body.def.mass && body.def.density) throw Missing{"density in the suite's stock engine"};
+    bool dense = body.def.density.has_value();
+    for (const ColliderDef& c : body.def.colliders) dense |= c.density.has_value();
+    if (!body.def.mass && dense) throw Missing{"density in the suite's stock engine"};
     btVector3 inertia(0, 0, 0);
     body.rigid->getCollisionShape()->calculateLocalInertia(mass, inertia);
     body.rigid->setMassProps(mass, inertia);
