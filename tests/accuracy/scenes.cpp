@@ -117,6 +117,16 @@ bool finite(const Simulation& scene, BodyIndex body) {
   return is_finite(pose.position) && is_finite(pose.rotation) && is_finite(scene.velocity(body)) && is_finite(scene.angular_velocity(body));
 }
 
+double fastest_corner(const Simulation& scene, BodyIndex body, Vec3 size) {
+  const Quat rotation = scene.pose(body).rotation;
+  double speed = 0;
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 corner = scaled(size / 2, {i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0});
+    speed = std::max(speed, length(scene.velocity(body) + cross(scene.angular_velocity(body), rotation * corner)));
+  }
+  return speed;
+}
+
 // Steele, Lea, Flood: SplitMix64.
 double Chance::unit() {
   std::uint64_t z = (state_ += 0x9e3779b97f4a7c15u);

@@ -38,6 +38,7 @@ Vec3 spin_momentum(const Simulation& scene, BodyIndex body);      // about its o
 Vec3 angular_momentum(const Simulation& scene, BodyIndex body);   // about the origin
 Vec3 center(const Simulation& scene, BodyIndex body);             // centre of mass, world
 bool finite(const Simulation& scene, BodyIndex body);
+double fastest_corner(const Simulation& scene, BodyIndex body, Vec3 size);  // m/s, of a box of this size around its centre
 
 // ---- deterministic chance: the same numbers on every machine
 class Chance {

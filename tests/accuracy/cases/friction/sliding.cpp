@@ -11,10 +11,6 @@ double yaw(const Simulation& scene, BodyIndex body) {
   return std::atan2(-x.z, x.x);
 }
 
-double point_speed(const Simulation& scene, BodyIndex body, double reach) {
-  return length(scene.velocity(body)) + length(scene.angular_velocity(body)) * reach;
-}
-
 double threshold(double low, double high, int halvings, const std::function<bool(double)>& holds) {
   for (int i = 0; i < halvings; ++i) {
     const double middle = (low + high) / 2;

@@ -15,8 +15,6 @@ Vec3 on_slope(double slope, double azimuth = 0);
 double yaw(const Simulation& scene, BodyIndex body);
 // Without its part along y.
 inline Vec3 level(Vec3 v) { return {v.x, 0, v.z}; }
-// The speed of the fastest point that is `reach` from the centre.
-double point_speed(const Simulation& scene, BodyIndex body, double reach);
 
 // Where `holds` turns from false to true between low and high.
 double threshold(double low, double high, int halvings, const std::function<bool(double)>& holds);

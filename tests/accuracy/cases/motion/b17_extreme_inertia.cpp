@@ -11,7 +11,7 @@ namespace {
 constexpr double kSpin = 20;             // rad/s, about the body's y
 constexpr double kSeconds = 10;
 constexpr double kLanded = 2;            // s; from then on nothing feeds the spin
-constexpr double kStill = 0.05, kStillSpin = 0.1;  // m/s and rad/s: at rest, through the last half second
+constexpr double kStill = 0.05;          // m/s, of the fastest point through the last half second: at rest
 constexpr double kEnergy = 0.01;
 
 // Two equal parts at +-1 m on x.
@@ -23,7 +23,7 @@ BodyDef pair_of(const Shape& shape) {
   return body;
 }
 
-Outcome drop(Trial& trial, BodyDef body_def, double tilt) {
+Outcome drop(Trial& trial, BodyDef body_def, Vec3 size, double tilt) {
   Simulation& scene = trial.scene();
   add_floor(scene, 60);
   const Quat rotation = axis_angle({0, 0, 1}, tilt);
@@ -33,20 +33,16 @@ Outcome drop(Trial& trial, BodyDef body_def, double tilt) {
   const double start = energy(scene, body), allowed = trial.reference(start) * (1 + kEnergy) - start;
 
   Outcome outcome;
-  double gain = -start, speed = 0, spin = 0, landed_spin = 0;
+  double gain = -start, speed = 0, spin = 0;
   run(scene, kSeconds, kFrame, [&](double t) {
     if (!finite(scene, body)) outcome.failed = "not finite at " + std::to_string(t) + " s";
     gain = std::max(gain, energy(scene, body) - start);
-    const double now = length(scene.angular_velocity(body));
-    if (t > kLanded) landed_spin = std::max(landed_spin, now);
-    if (t > kSeconds - 0.5) {
-      speed = std::max(speed, length(scene.velocity(body)));
-      spin = std::max(spin, now);
-    }
+    if (t > kLanded) spin = std::max(spin, length(scene.angular_velocity(body)));
+    if (t > kSeconds - 0.5) speed = std::max(speed, fastest_corner(scene, body, size));
     return outcome.failed.empty();
   });
   outcome.energy_drift = gain / start;
-  outcome.error = std::max({gain / allowed, speed / kStill, spin / kStillSpin, landed_spin / kSpin});
+  outcome.error = std::max({gain / allowed, speed / kStill, spin / kSpin});
   if (scene.pose(body).position.y < -0.5) outcome.failed = "went through the floor";
   return outcome;
 }
@@ -55,13 +51,14 @@ Outcome drop(Trial& trial, BodyDef body_def, double tilt) {
 
 Case b17_extreme_inertia() {
   Case c{"B17", "Extreme inertia", "thin bodies fall 1 m, spun at 20 rad/s about the upright axis, friction 0.5; all but the dumbbell 5 degrees askew",
-         "at rest after 10 s, no energy gained", "the worst of speed over 0.05 m/s, spin over 0.1 rad/s, energy gained over 1 %, spin after landing over 20 rad/s", {}};
+         "at rest after 10 s, no energy gained", "the worst of the fastest point at the end over 0.05 m/s, energy gained over 1 %, spin after landing over 20 rad/s", {}};
   const double askew = radians(5);
+  constexpr Vec3 needle{2, 0.005, 0.005}, plate{4, 0.01, 4};
   // A dumbbell that lands askew may end rolling, which nothing stops: it falls level.
-  c.parts = {{"dumbbell 1:1001", 1, [](Trial& t) { return drop(t, pair_of(ball(0.05)), 0); }},
-             {"needle", 1, [=](Trial& t) { return drop(t, dynamic(box({2, 0.005, 0.005}), 0.5), askew); }},
-             {"plate", 1, [=](Trial& t) { return drop(t, dynamic(box({4, 0.01, 4}), 10), askew); }},
-             {"compound 1:10000", 1, [=](Trial& t) { return drop(t, pair_of(box({0.0245, 0.0245, 0.0245})), askew); }}};
+  c.parts = {{"dumbbell 1:1001", 1, [](Trial& t) { return drop(t, pair_of(ball(0.05)), {2, 0.1, 0.1}, 0); }},
+             {"needle", 1, [=](Trial& t) { return drop(t, dynamic(box(needle), 0.5), needle, askew); }},
+             {"plate", 1, [=](Trial& t) { return drop(t, dynamic(box(plate), 10), plate, askew); }},
+             {"compound 1:10000", 1, [=](Trial& t) { return drop(t, pair_of(box({0.0245, 0.0245, 0.0245})), {2, 0.0245, 0.0245}, askew); }}};
   return c;
 }
 
