@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kLength = 2, kThick = 0.02, kSpeed = 5, kSeconds = 5;
 constexpr Vec3 kSize{kLength, kThick, kThick};
-constexpr double kEnergy = 0.01, kStill = 0.05;  // of the start; m/s of the fastest point
+constexpr double kEnergy = 0.01, kStill = 0.05, kSink = 0.005;  // of the start; m/s of the fastest corner; m of where it lies
 
 // The tip is at the origin, the centre behind it.
 void slide_on_tip(Trial& trial, double friction, double angle, Outcome& outcome) {
@@ -32,7 +32,8 @@ void slide_on_tip(Trial& trial, double friction, double angle, Outcome& outcome)
   });
   if (!finite(scene, body)) outcome.failed = "not finite from " + std::to_string(static_cast<int>(std::lround(degrees(angle)))) + " degrees";
   outcome.energy_drift = std::max(outcome.energy_drift.value_or(0), gain / start);
-  outcome.error = std::max({outcome.error, gain / spare, speed / kStill});
+  const double fall = height - scene.pose(body).position.y, sunk = std::abs(fall - trial.reference(height - kThick / 2));
+  outcome.error = std::max({outcome.error, gain / spare, speed / kStill, sunk / kSink});
 }
 
 Outcome from_all_angles(Trial& trial, double friction) {
@@ -45,7 +46,7 @@ Outcome from_all_angles(Trial& trial, double friction) {
 
 Case b27_painleve_rod() {
   Case c{"B27", "Painleve's rod", "a rod of 2 m slides at 5 m/s on its tip, leaning back at 45 to 75 degrees to the floor", "finite, energy never rises, at rest after 5 s",
-         "the worst of energy regained over 1 % and speed at the end over 0.05 m/s, of all angles", {}};
+         "the worst of energy regained over 1 % and speed at the end over 0.05 m/s, height over 5 mm, of all angles", {}};
   c.parts = {{"friction 1.2", 1, [](Trial& t) { return from_all_angles(t, 1.2); }},
              {"friction 1.5", 1, [](Trial& t) { return from_all_angles(t, 1.5); }},
              {"friction 2", 1, [](Trial& t) { return from_all_angles(t, 2); }}};
