@@ -96,7 +96,10 @@ class StockSimulation final : public Simulation {
       body.rigid->setCollisionShape(shapes_.of_body(def, body.center));
       body.rigid->setWorldTransform(body.placed(pose));
     }
+    const bool regroup = body.enabled && (def.group != body.def.group || def.collides_with != body.def.collides_with);
+    if (regroup) leave(body);
     body.def = def;
+    if (regroup) enter(body);
     set_mass(body);
     set_options(index);
   }
@@ -230,7 +233,6 @@ class StockSimulation final : public Simulation {
   void make(int index, const BodyDef& def, const Pose& pose) {
     StockBody& body = at(index);
     body.def = def;
-    if (!def.group.empty() || !def.collides_with.empty()) throw Missing{"groups in the suite's stock engine"};
     if (!(def.surface_velocity == Vec3{})) throw Missing{"surface velocity"};
     btCollisionShape* shape = shapes_.of_body(def, body.center);
     if (is_trigger(def)) {
@@ -287,8 +289,19 @@ class StockSimulation final : public Simulation {
   }
 
   void enter(StockBody& body) {
-    if (body.ghost) world_.addCollisionObject(body.ghost.get(), btBroadphaseProxy::SensorTrigger, btBroadphaseProxy::AllFilter ^ btBroadphaseProxy::StaticFilter);
-    else world_.addRigidBody(body.rigid.get());
+    const BodyDef& def = body.def;
+    int mask = def.collides_with.empty() ? btBroadphaseProxy::AllFilter : 0;
+    for (const std::string& name : def.collides_with) mask |= group_bits(name);
+    if (body.ghost) world_.addCollisionObject(body.ghost.get(), btBroadphaseProxy::SensorTrigger, mask ^ (mask & btBroadphaseProxy::StaticFilter));
+    else if (def.group.empty() && def.collides_with.empty()) world_.addRigidBody(body.rigid.get());
+    else world_.addRigidBody(body.rigid.get(), def.group.empty() ? btBroadphaseProxy::DefaultFilter : group_bits(def.group), mask);
+  }
+  // The default group is that of Bullet's static and kinematic bodies too.
+  int group_bits(const std::string& name) {
+    if (name.empty()) return btBroadphaseProxy::DefaultFilter | btBroadphaseProxy::StaticFilter | btBroadphaseProxy::KinematicFilter;
+    const auto at = std::find(groups_.begin(), groups_.end(), name) - groups_.begin();
+    if (at == static_cast<std::ptrdiff_t>(groups_.size())) groups_.push_back(name);
+    return 64 << at;  // Bullet's own are the six below
   }
   void leave(StockBody& body) {
     if (body.ghost) world_.removeCollisionObject(body.ghost.get());
@@ -345,6 +358,7 @@ class StockSimulation final : public Simulation {
   btSequentialImpulseConstraintSolver solver_;
   StockWorld world_{&dispatcher_, &broadphase_, &solver_, &configuration_};
   std::vector<StockBody> bodies_;
+  std::vector<std::string> groups_;
   std::deque<StockJoint> joints_;  // they do not move: Bullet points to their feedback
   std::vector<Crossing> crossings_;
   std::map<std::pair<int, int>, double> impulses_;

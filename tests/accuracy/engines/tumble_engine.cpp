@@ -14,6 +14,7 @@ class TumbleSimulation final : public Simulation {
 
   BodyIndex add(const BodyDef& body, const Pose& pose) override {
     const BodyIndex index = static_cast<BodyIndex>(bodies_.size());
+    know_groups(body);
     bodies_.push_back(world_.add(body, pose, static_cast<std::uint64_t>(index)));
     triggers_.push_back(is_trigger(body));
     return index;
@@ -31,6 +32,7 @@ class TumbleSimulation final : public Simulation {
     BodyDef next = def;
     next.velocity = world_.velocity(id(body));
     next.angular_velocity = world_.angular_velocity(id(body));
+    know_groups(def);
     world_.configure(id(body), next);
     triggers_[static_cast<std::size_t>(body)] = is_trigger(def);
   }
@@ -99,6 +101,16 @@ class TumbleSimulation final : public Simulation {
     out.iterations = knobs.iterations;
     out.friction_combine = out.restitution_combine = Combine::multiply;
     return out;
+  }
+  // A game lists its groups; a case just names them.
+  void know_groups(const BodyDef& body) {
+    std::vector<std::string> names = body.collides_with;
+    names.push_back(body.group);
+    WorldSettings settings = world_.settings();
+    const std::size_t before = settings.groups.size();
+    for (const std::string& name : names)
+      if (!name.empty() && std::find(settings.groups.begin(), settings.groups.end(), name) == settings.groups.end()) settings.groups.push_back(name);
+    if (settings.groups.size() > before) world_.configure(settings);
   }
   static bool is_trigger(const BodyDef& body) {
     return body.trigger || (!body.colliders.empty() && body.colliders.front().trigger.value_or(false));
