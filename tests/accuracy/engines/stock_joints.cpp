@@ -75,6 +75,8 @@ btTypedConstraint* with_spring(btRigidBody& b, btRigidBody& a, const Frames& fra
 
 void make_constraint(StockJoint& joint, const StockPartner& a, const StockPartner& b, double substep) {
   const JointDef& def = joint.def;
+  if (def.break_torque < kInfinity) throw Missing{"a break torque"};
+  if (const auto* ball = std::get_if<BallDef>(&def.kind); ball && ball->friction > 0) throw Missing{"joint friction"};
   btRigidBody& first = b.body ? *b.body : btTypedConstraint::getFixedBody();
   btRigidBody& second = a.body ? *a.body : btTypedConstraint::getFixedBody();
   const auto placed = [](const StockPartner& p) { return p.body ? from_stock(p.body->getWorldTransform()) : Pose{}; };
@@ -117,7 +119,8 @@ void set_options(StockJoint& joint, double) {
   if (f->friction > 0) throw Missing{"joint friction"};
   const double strength = f->motor ? f->motor->strength.value_or(1e18) : 0;
   if (auto* hinge = dynamic_cast<btHingeConstraint*>(joint.constraint.get())) {
-    if (f->min || f->max) hinge->setLimit(number(f->min.value_or(-1e3)), number(f->max.value_or(1e3)));
+    // Bullet reads its angle within a turn and has no limits on one side only: three quarters of a turn are left.
+    if (f->min || f->max) hinge->setLimit(number(f->min.value_or(f->max.value_or(0) - 1.5 * kPi)), number(f->max.value_or(f->min.value_or(0) + 1.5 * kPi)));
     // An impulse, whatever the step (bullet3 issue 210): right at 60 Hz.
     hinge->enableAngularMotor(f->motor.has_value(), f->motor ? number(f->motor->speed.value_or(0)) : 0, number(strength * kFrame));
   } else if (auto* slider = dynamic_cast<btSliderConstraint*>(joint.constraint.get())) {
