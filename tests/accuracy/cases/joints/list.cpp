@@ -2,6 +2,10 @@
 
 namespace tumble::accuracy {
 
-std::vector<Case> joint_cases() { return {}; }
+Case a12_pendulum();
+Case a13_double_pendulum();
+Case s05_ten_links();
+
+std::vector<Case> joint_cases() { return {a12_pendulum(), a13_double_pendulum(), s05_ten_links()}; }
 
 }  // namespace tumble::accuracy
