@@ -45,8 +45,9 @@ std::optional<Freedom> freedom_of(const JointDef& def) {
 btTypedConstraint* with_spring(btRigidBody& b, btRigidBody& a, const Frames& frames, const JointDef& def, const Freedom& f) {
   auto* joint = new btGeneric6DofSpring2Constraint(b, a, frames.b, frames.a);
   const int index = is_turn(def) ? 3 : 0;
+  const double sign = is_turn(def) ? -1 : 1;  // its angles count the other way round
   for (int i = 0; i < 6; ++i) joint->setLimit(i, 0, 0);
-  if (f.min && f.max) joint->setLimit(index, number(*f.min), number(*f.max));
+  if (f.min && f.max) joint->setLimit(index, number(sign > 0 ? *f.min : -*f.max), number(sign > 0 ? *f.max : -*f.min));
   else joint->setLimit(index, 1, -1);
   // As heavy as the bodies are along that freedom, as the runtime means it.
   double inverse = 0;
@@ -67,7 +68,7 @@ btTypedConstraint* with_spring(btRigidBody& b, btRigidBody& a, const Frames& fra
   joint->enableSpring(index, true);
   joint->setStiffness(index, number(heavy * omega * omega), false);
   joint->setDamping(index, number(2 * f.spring->damping * omega * heavy), false);
-  joint->setEquilibriumPoint(index, number(f.spring->rest));
+  joint->setEquilibriumPoint(index, number(sign * f.spring->rest));
   return joint;
 }
 
@@ -176,7 +177,7 @@ JointState state(const StockJoint& joint) {
     read->calculateTransforms();
     const btVector3 axis = read->getCalculatedTransformA().getBasis().getColumn(0);
     const bool turn = std::holds_alternative<HingeDef>(joint.def.kind);
-    out.position = turn ? read->getAngle(0) : (read->getCalculatedTransformB().getOrigin() - read->getCalculatedTransformA().getOrigin()).dot(axis);
+    out.position = turn ? -read->getAngle(0) : (read->getCalculatedTransformB().getOrigin() - read->getCalculatedTransformA().getOrigin()).dot(axis);
     out.speed = turn ? turning.dot(axis) : (c.getRigidBodyB().getLinearVelocity() - c.getRigidBodyA().getLinearVelocity()).dot(axis);
   }
   return out;
