@@ -1,11 +1,18 @@
 #include "accuracy/cases/joints/mechanisms.h"
 
 #include <algorithm>
+#include <sstream>
 
 namespace tumble::accuracy {
 
 double span(Trial& trial, double full, double quick, double test) {
   return trial.shortened(full, trial.effort() == Effort::test ? test : quick);
+}
+
+std::string text(double number) {
+  std::ostringstream out;
+  out << number;
+  return out.str();
 }
 
 BodyIndex Mechanism::add(BodyDef body, const Pose& pose) {

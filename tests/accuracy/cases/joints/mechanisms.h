@@ -8,6 +8,9 @@ namespace tumble::accuracy {
 // How long, or how many: in the full run, in the quick one, and in a test.
 double span(Trial& trial, double full, double quick, double test);
 
+// A number in a part's name.
+std::string text(double number);
+
 // The bodies and joints of a scene. Bodies of a mechanism pass through each other, so that only its joints count.
 class Mechanism {
  public:
