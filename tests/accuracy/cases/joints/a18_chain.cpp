@@ -54,7 +54,7 @@ Case a18_chain() {
       c.parts.push_back({name + what, goal, [=](Trial& t) { return hang(t, heavy, along, measure, span(t, 10, 3, 0.5)); }});
     };
     part(" hung gap", 2e-3, {0, -1, 0}, Measure::gap);
-    part(" hung tension", 1e-2, {0, -1, 0}, Measure::tension);
+    part(" hung tension", 1e-3, {0, -1, 0}, Measure::tension);
     part(" hung height", 1e-3, {0, -1, 0}, Measure::height);
     part(" let go gap", 2e-3, {1, 0, 0}, Measure::gap);
   }

@@ -50,9 +50,10 @@ double bounce_height(Simulation& scene, Hold hold, double restitution, double wa
 Outcome bounce(Trial& trial, Hold hold, double restitution) {
   Outcome outcome;
   Spread spread;
-  for (int k = 0; k < trial.phases(); ++k) {
+  const int phases = trial.effort() == Effort::test ? 2 : trial.phases();
+  for (int k = 0; k < phases; ++k) {
     // The whole way, down and up.
-    const double way = 1 + bounce_height(trial.scene(), hold, restitution, 2 + 0.0071 * k);
+    const double way = 1 + bounce_height(trial.scene(), hold, restitution, span(trial, 2, 2, 0.7) + 0.0071 * k);
     spread.add(way - trial.reference(1 + restitution * restitution));
   }
   outcome.bias = spread.mean();
@@ -112,7 +113,7 @@ Outcome threshold(Trial& trial, Hold hold) {
   const double truth = std::tan(radians(20)) / pressing(hold);
   double low = 0.8 * truth, high = 1.2 * truth;
   const double seconds = span(trial, 2, 1, 0.4);
-  for (int i = static_cast<int>(span(trial, 10, 9, 7)); i > 0; --i) {
+  for (int i = static_cast<int>(span(trial, 10, 9, 5)); i > 0; --i) {
     const double friction = (low + high) / 2;
     const Slide made = build(trial.scene(tilted(radians(20))), hold, friction);
     run(made.scene, seconds);

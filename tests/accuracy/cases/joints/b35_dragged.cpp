@@ -59,8 +59,8 @@ Outcome drag(Trial& trial, bool turn, bool breaks) {
   // and it must not grow while the hand holds still.
   const double most = 10 * beyond / (h * h);
   outcome.error = std::max(force / most, breaks ? 0 : late / (1.1 * early + 1));
-  if (!breaks) outcome.error = std::max({outcome.error, relative(1 + dragged.position(), trial.reference(1), 0.01), dragged.mechanism.fastest() / 0.05});
-  else outcome.error = std::max(outcome.error, relative(1 + std::max(0.0, std::abs(dragged.position()) - 0.5), trial.reference(1), 0.01));
+  if (!breaks) outcome.error = std::max({outcome.error, relative(1 + dragged.position(), trial.reference(1), 0.005), dragged.mechanism.fastest() / 0.05});
+  else outcome.error = std::max(outcome.error, relative(1 + std::max(0.0, std::abs(dragged.position()) - 0.5), trial.reference(1), 0.005));
   outcome.worst = force;
   if (!dragged.mechanism.finite()) outcome.failed = "not a number";
   else if (broken != breaks) outcome.failed = breaks ? "does not break" : "breaks unasked";
