@@ -2,6 +2,8 @@
 
 namespace tumble::accuracy {
 
-std::vector<Case> impact_cases() { return {}; }
+Case a03_bounce();
+
+std::vector<Case> impact_cases() { return {a03_bounce()}; }
 
 }  // namespace tumble::accuracy
