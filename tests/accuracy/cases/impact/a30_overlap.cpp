@@ -1,6 +1,6 @@
 // How deep a heap of balls overlaps while it falls apart: SimBenchmark's 666, without bounce and friction, in a box.
 #include "accuracy/cases/impact/overlap.h"
-#include "accuracy/scenes.h"
+#include "accuracy/cases/impact/room.h"
 
 namespace tumble::accuracy {
 
@@ -8,17 +8,10 @@ namespace {
 
 constexpr double kRadius = 0.1, kRoom = 3;  // m
 
-void add_walls(Simulation& scene) {
-  for (const double side : {-1.0, 1.0}) {
-    scene.add(fixed(box({1, 6, kRoom + 2})), {{side * (kRoom + 1) / 2, 3, 0}, {}});
-    scene.add(fixed(box({kRoom + 2, 6, 1})), {{0, 3, side * (kRoom + 1) / 2}, {}});
-  }
-}
-
 Outcome fall(Trial& trial) {
   Simulation& scene = trial.scene();
   add_floor(scene);
-  add_walls(scene);
+  add_walls(scene, kRoom, 6);
   Chance chance(42);
   std::vector<BodyIndex> balls;
   for (int i = 0; i < 216; ++i) {
