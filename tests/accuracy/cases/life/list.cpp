@@ -6,7 +6,9 @@ Case a24_carrier();
 Case b16_press();
 Case b21_scaling();
 Case b22_removal();
+Case b25_time_steps();
+Case b26_sleep();
 
-std::vector<Case> life_cases() { return {a24_carrier(), b16_press(), b21_scaling(), b22_removal()}; }
+std::vector<Case> life_cases() { return {a24_carrier(), b16_press(), b21_scaling(), b22_removal(), b25_time_steps(), b26_sleep()}; }
 
 }  // namespace tumble::accuracy
