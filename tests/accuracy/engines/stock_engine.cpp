@@ -91,6 +91,7 @@ class StockSimulation final : public Simulation {
   void configure(BodyIndex index, const BodyDef& def) override {
     StockBody& body = at(index);
     if (!body.rigid || def.type != body.def.type) throw Missing{"a change of a body's type"};
+    refuse_unknown(def);
     const Pose pose = body.pose();
     if (!same_shapes(body.def, def)) {
       body.rigid->setCollisionShape(shapes_.of_body(def, body.center));
@@ -230,10 +231,15 @@ class StockSimulation final : public Simulation {
     return true;
   }
 
+  static void refuse_unknown(const BodyDef& def) {
+    if (!def.group.empty() || !def.collides_with.empty()) throw Missing{"groups in the suite's stock engine"};
+    if (!(def.surface_velocity == Vec3{})) throw Missing{"surface velocity"};
+  }
+
   void make(int index, const BodyDef& def, const Pose& pose) {
     StockBody& body = at(index);
     body.def = def;
-    if (!(def.surface_velocity == Vec3{})) throw Missing{"surface velocity"};
+    refuse_unknown(def);
     btCollisionShape* shape = shapes_.of_body(def, body.center);
     if (is_trigger(def)) {
       body.ghost = std::make_unique<btPairCachingGhostObject>();
