@@ -6,8 +6,8 @@ namespace tumble::accuracy {
 
 namespace {
 
-constexpr double kLeap = 3;       // m/s, the fastest that growth may throw it; falling does not count
-constexpr double kSettled = 0.01; // of the rest height, m
+constexpr double kLeap = 3;         // m/s, the fastest that growth may throw it; falling does not count
+constexpr double kSettled = 0.007;  // of the rest height, at most that many m
 
 BodyDef cube(double scale) { return with(dynamic(box(Vec3{1, 1, 1} * scale), scale * scale * scale), 0.6); }
 
@@ -146,7 +146,7 @@ Outcome mesh(Trial& trial, double scale) {
   watch(scene, verdict, kSeconds);
   const double fall = scale < 1 ? kGravity * kSeconds * kSeconds / 2 : 0;
   check_height(trial, verdict, scene, 1, 0.5);
-  verdict.allow(std::abs(scene.pose(2).position.y - trial.reference(0.5 - fall)), fall > 0 ? 0.05 : 0.005);
+  verdict.allow(std::abs(scene.pose(2).position.y - trial.reference(0.5 - fall)), fall > 0 ? 0.05 : 0.0035);
   return verdict.outcome;
 }
 

@@ -82,11 +82,11 @@ Outcome soak(Trial& trial) {
   if (!verdict.outcome.failed.empty()) return verdict.outcome;
 
   verdict.outcome.energy_drift = all.energy_now() / start - 1;
-  verdict.allow(relative(all.energy_now(), trial.reference(start), start), 0.0099);
+  verdict.allow(relative(all.energy_now(), trial.reference(start), start), 0.009);
   verdict.allow(memory() - early, 1e6);
   verdict.allow(fastest, 100);
   verdict.allow(std::abs(all.scene.pose(all.top).position.y - trial.reference(9.5)), 0.09);
-  verdict.allow(relative(all.scene.angular_velocity(all.rotor).z, trial.reference(Everything::kRate)), 0.0099);
+  verdict.allow(relative(all.scene.angular_velocity(all.rotor).z, trial.reference(Everything::kRate)), 0.009);
   const double gap = std::abs(all.scene.pose(all.chain_end).position.y - trial.reference(3.25));
   verdict.outcome.max_joint_gap = gap;
   verdict.allow(gap, 0.03);

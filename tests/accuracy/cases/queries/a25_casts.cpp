@@ -124,10 +124,9 @@ struct Tally {
     missed += right && !found;
     false_hits += !right && found;
   }
-  // `error`: of a ray that hit where it should.
   Outcome outcome() const {
     Outcome outcome;
-    outcome.error = std::max(0.0, error.high);
+    if (error.count) outcome.error = std::max(std::abs(error.low), std::abs(error.high));
     outcome.bias = error.mean();
     outcome.worst = outcome.error;
     if (missed + false_hits == 0) return outcome;
@@ -136,7 +135,7 @@ struct Tally {
     return outcome;
   }
   int rays = 0, missed = 0, false_hits = 0;
-  Spread error;
+  Spread error;  // of rays that hit where they should, signed
 };
 
 int ray_count(Trial& trial) { return static_cast<int>(trial.shortened(10000, trial.effort() == Effort::test ? 40 : 300)); }
@@ -158,7 +157,7 @@ Outcome rays(Trial& trial, const Target& target, double distance, Vec3 place, Me
     const auto found = scene.raycast(place + line.origin, line.direction, 2 * distance);
     tally.count(right.has_value(), found.has_value());
     if (!right || !found) continue;
-    if (measure == Measure::distance) tally.error.add(relative(found->distance, trial.reference(right->distance)));
+    if (measure == Measure::distance) tally.error.add(found->distance / trial.reference(right->distance) - 1);
     else if (smooth(truth, line, right->normal)) tally.error.add(tumble::distance(found->normal, trial.reference(right->normal)));
   }
   return tally.outcome();
@@ -176,7 +175,7 @@ Outcome ball_cast(Trial& trial, const Shape& shape, const Truth& truth, const st
     const auto right = truth(line);
     const auto found = scene.cast(ball(0.3), {line.origin, {}}, line.direction, 30);
     tally.count(right.has_value(), found.has_value());
-    if (right && found) tally.error.add(relative(found->distance, trial.reference(right->distance)));
+    if (right && found) tally.error.add(found->distance / trial.reference(right->distance) - 1);
   }
   return tally.outcome();
 }

@@ -131,7 +131,7 @@ Outcome corner(Trial& trial, double degrees) {
     return true;
   };
   walk(scene, body, {kSpeed, 0, 0}, 2, each);
-  verdict.allow(std::abs(scene.pose(body).position.x - trial.reference(deepest)), std::min(kSink, 0.009 * -deepest));
+  verdict.allow(std::abs(scene.pose(body).position.x - trial.reference(deepest)), std::min(kSink, 0.006 * -deepest));
   walk(scene, body, {-kSpeed, 0, 0}, 0.5, each);
   verdict.allow(std::abs(scene.pose(body).position.x - (deepest - 0.5 * kSpeed)), 0.2);
   return verdict.outcome;
