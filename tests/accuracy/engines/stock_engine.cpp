@@ -232,7 +232,6 @@ class StockSimulation final : public Simulation {
   }
 
   static void refuse_unknown(const BodyDef& def) {
-    if (!def.group.empty() || !def.collides_with.empty()) throw Missing{"groups in the suite's stock engine"};
     if (!(def.surface_velocity == Vec3{})) throw Missing{"surface velocity"};
   }
 
