@@ -16,7 +16,7 @@ Outcome swing(Trial& trial, const JointKind& kind, bool gain) {
   mechanism.chain(nodes, rod(), kind);
   // Against hanging at rest.
   const double scale = kGravity * kLinks * kLinks / 2;
-  return keep_energy(trial, scene, mechanism, scale, span(trial, 60, 3, 1), gain);
+  return keep_energy(trial, scene, mechanism, scale, span(trial, 60, 15, 1), gain);
 }
 
 }  // namespace
