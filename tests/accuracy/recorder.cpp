@@ -26,8 +26,17 @@ Recorder::Recorder(std::unique_ptr<Simulation> engine, const SceneSettings& sett
 
 template <class Change>
 auto Recorder::change(Change change) {
-  if (script_.size() < kLongestScript) script_.push_back({[change](Simulation& s) { change(s); }, 0, 0});
-  return change(*engine_);
+  const auto keep = [&] {  // once the engine has taken it: what it refuses is not to be played again
+    if (script_.size() < kLongestScript) script_.push_back({[change](Simulation& s) { change(s); }, 0, 0});
+  };
+  if constexpr (std::is_void_v<decltype(change(*engine_))>) {
+    change(*engine_);
+    keep();
+  } else {
+    const auto result = change(*engine_);
+    keep();
+    return result;
+  }
 }
 
 BodyIndex Recorder::add(const BodyDef& body, const Pose& pose) {

@@ -29,8 +29,9 @@ std::vector<Knobs> all_knobs() {
 }
 
 double clipped(const Case& c, const Outcome& outcome) {
-  if (!std::isfinite(outcome.error)) return c.stability() ? kLargest : 1;
-  if (c.stability()) return std::clamp(outcome.error, kSmallest, kLargest);
+  const bool may_exceed_one = !c.accuracy();  // measured over allowed
+  if (!std::isfinite(outcome.error)) return may_exceed_one ? kLargest : 1;
+  if (may_exceed_one) return std::clamp(outcome.error, kSmallest, kLargest);
   return outcome.failed.empty() ? std::clamp(outcome.error, kSmallest, 1.0) : 1;
 }
 
