@@ -55,9 +55,9 @@ Outcome drag(Trial& trial, bool turn, bool breaks) {
   });
 
   Outcome outcome;
-  // Ten times the force that would close the gap within one substep bounds it (solvers push to and fro in their rounds),
-  // and it must not grow while the hand holds still.
-  const double most = 10 * beyond / (h * h);
+  // Twice the force that would close the gap within one substep (to stop it there, and to bring it back) bounds it, and it
+  // must not grow while the hand holds still.
+  const double most = 2 * beyond / (h * h);
   outcome.error = std::max(force / most, breaks ? 0 : late / (1.1 * early + 1));
   if (!breaks) outcome.error = std::max({outcome.error, relative(1 + dragged.position(), trial.reference(1), 0.005), dragged.mechanism.fastest() / 0.05});
   else outcome.error = std::max(outcome.error, relative(1 + std::max(0.0, std::abs(dragged.position()) - 0.5), trial.reference(1), 0.005));
