@@ -130,6 +130,46 @@ test("a disabled node switches off its children", function()
   expect(record.lines[2]):equals("child start")
 end)
 
+test("a table whose __index is a node has the node's properties and methods", function()
+  local node = scene.add { name = "core", position = vec3(1, 2, 3) }
+  local shell = setmetatable({ layer = 1 }, { __index = node })
+  local outer = setmetatable({}, { __index = shell })
+  expect(shell.position):equals(vec3(1, 2, 3))
+  expect(outer.name):equals("core")
+  expect(outer.layer):equals(1)
+  expect(outer.translate == node.translate):equals(true)
+  outer.translate(node, vec3(1, 0, 0), 1)
+  expect(outer.position):equals(vec3(2, 2, 3))
+  expect(function() return outer.positon end):raises("node 'core' has no 'positon'; did you mean 'position'?")
+end)
+
+test("a function behind a table's __index gets that table", function()
+  local middle = setmetatable({}, { __index = function(holder, name) return { holder, name } end })
+  local object = setmetatable({}, { __index = middle })
+  expect(object.any[1] == middle):equals(true)
+  expect(object.any[2]):equals("any")
+end)
+
+test("what is wrong with a method's call or a property says so", function()
+  local node = scene.add { name = "core", mesh = "box", body = { mass = 1 } }
+  expect(function() node.translate(vec3.up) end):raises("node:translate: node expected before the colon, got vec3(0, 1, 0); was it called with a dot? Write node:translate(...)")
+  expect(function() node.body.apply_force(node, vec3.up) end):raises("body:apply_force: body expected before the colon, got node 'core'; was it called with a dot?")
+  expect(function() node:translat(vec3.up) end):raises("node 'core' has no 'translat'; did you mean 'translate'?")
+  expect(function() node:apply_force(vec3.up) end):raises("node 'core' has no 'apply_force'; it belongs to the body: node.body:apply_force")
+  expect(function() node.translate = print end):raises("node.translate is a function of every node and cannot be replaced")
+  expect(function() node.body.apply_force = print end):raises("body.apply_force is a function of every body and cannot be replaced")
+  expect(function() return node[1] end):raises("node 'core' has no '1'")
+  expect(getmetatable(node)):equals("node")
+end)
+
+test("a handler's slot is read back, and empty before", function()
+  local node = scene.add { name = "core" }
+  expect(node.on_wake):equals(nil)
+  local function hear() end
+  node.on_wake = hear
+  expect(node.on_wake == hear):equals(true)
+end)
+
 test("a component is added by a table, read in full and taken away by nil", function()
   local node = scene.add { name = "thing", mesh = "box" }
   expect(node.mesh.shape):equals("box")
