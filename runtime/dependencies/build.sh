@@ -91,6 +91,17 @@ luaconf=lua/src/luaconf.h
 sed -i -e '/lua5.4-deb-multiarch.h/d' -e 's/^\(#define LUA_API[[:space:]]*\)extern "C"$/\1extern/' $luaconf
 ! grep -qE '^#define LUA_API.*"C"|multiarch\.h' $luaconf || fail "dependencies: this lua5.4 source package has another luaconf.h than build.sh knows"
 
+# The methods of our objects lie in a table at __index, and a function behind that table answers for properties
+# (docs/decisions/0010-methods-in-a-table.md). Lua would give that function the table; it is to get the object.
+luavm=lua/src/lvm.c
+sed -i -e '/^void luaV_finishget /,/^}/ {
+  s|^  const TValue \*tm;.*|&\n  const TValue *object = NULL;  /* the last full userdata on the way */|
+  s|^      tm = luaT_gettmbyobj(L, t, TM_INDEX);|&\n      if (ttisfulluserdata(t)) object = t;|
+  s|luaT_callTMres(L, tm, t, key, val);|luaT_callTMres(L, tm, object ? object : t, key, val);|
+}' $luavm
+[[ $(grep -cE 'TValue \*object = NULL;|ttisfulluserdata\(t\)\) object = t;|tm, object \? object : t, key, val' $luavm) == 3 ]] ||
+  fail "dependencies: this lua5.4 source package has another lvm.c than build.sh knows"
+
 # ---- compile: one unit per Bullet library (its own "All" files), three times as fast as one per source file
 
 common=(-O3 -DNDEBUG -fPIC -fvisibility=hidden -ffp-contract=off -ffunction-sections -fdata-sections -w)
