@@ -1,5 +1,7 @@
 #include "script/dispatch.h"
 
+#include <algorithm>
+
 #include "base/text.h"
 #include "script/script.h"
 #include "script/view.h"
@@ -80,8 +82,7 @@ template <int tag_index>
 int object_index(lua_State* L) {
   if (const Row* row = row_of(L, tag_index)) {
     if (row->call) return lua_pushcfunction(L, row->call), 1;
-    lua_settop(L, 1);
-    return row->get(L);
+    return row->get(L);                              // it reads the object alone, so that the key may stay
   }
   return at_border(L, [L] { return index_described(L, upvalue_area(L)); });
 }
@@ -166,13 +167,58 @@ void lock(lua_State* L, const std::string& name) {
   lua_setfield(L, -2, "__metatable");
 }
 
-void open_object(lua_State* L, Tag tag) {
+// Into the table on top.
+void set_functions(lua_State* L, const Area& area) {
+  for (const Row& row : area.rows)
+    if (row.call) {
+      lua_pushcfunction(L, row.call);
+      lua_setfield(L, -2, row.name.c_str());
+    }
+}
+
+// Puts a table of the area's methods before the function at __index of the metatable on top: the VM then finds a method
+// alone, and only properties and misses reach C.
+void put_methods_first(lua_State* L, const Area& area) {
+  lua_newtable(L);                                   // methods
+  set_functions(L, area);
+  lua_newtable(L);                                   // metatable of methods: properties
+  lua_getfield(L, -3, "__index");
+  lua_setfield(L, -2, "__index");
+  lua_setmetatable(L, -2);
+  lua_setfield(L, -2, "__index");
+}
+
+bool has_methods(const Area& area) {
+  return std::any_of(area.rows.begin(), area.rows.end(), [](const Row& row) { return row.call != nullptr; });
+}
+
+int first_argument(lua_State* L) { return lua_pushvalue(L, 1), 1; }
+
+// Does a function behind a table at an object's __index get the object? In the Lua that build.sh makes, yes; the
+// system's Lua gives it the table.
+bool gets_object_behind_table(lua_State* L) {
+  lua_newuserdatauv(L, 0, 0);
+  const void* object = lua_touserdata(L, -1);
+  lua_newtable(L);                                   // its metatable
+  lua_pushcfunction(L, first_argument);
+  lua_setfield(L, -2, "__index");
+  put_methods_first(L, Area{});
+  lua_setmetatable(L, -2);
+  lua_getfield(L, -1, "self");
+  const bool gets = lua_touserdata(L, -1) == object;
+  lua_pop(L, 2);
+  return gets;
+}
+
+void open_object(lua_State* L, Tag tag, bool methods_first) {
   const Area& rows = area(tag_name(tag));
   lua_newtable(L);
   push_names(L, rows);
   script_of(L).names(tag_index(tag)) = static_cast<const Names*>(lua_touserdata(L, -1));
   lua_setfield(L, -2, "names");
   set_closure(L, "__index", tag == Tag::vec3 ? vec3_index : index_function(tag_index(tag), std::make_index_sequence<kTags>{}), rows, true);
+  // Of a vec3 x, y and z are what is mostly asked for: they stay first.
+  if (methods_first && has_methods(rows) && tag != Tag::vec3) put_methods_first(L, rows);
   set_closure(L, "__newindex", object_newindex, rows, true);
   lua_pushcfunction(L, object_tostring);
   lua_setfield(L, -2, "__tostring");
@@ -187,11 +233,7 @@ void open_module(lua_State* L, const Area& module, int globals) {
   lua_newtable(L);                                   // proxy
   lua_newtable(L);                                   // its metatable
   lua_newtable(L);                                   // functions
-  for (const Row& row : module.rows)
-    if (row.call) {
-      lua_pushcfunction(L, row.call);
-      lua_setfield(L, -2, row.name.c_str());
-    }
+  set_functions(L, module);
   lua_pushvalue(L, -1);                              // kept for provide_scripted()
   lua_rawsetp(L, LUA_REGISTRYINDEX, &module);
   lua_newtable(L);                                   // metatable of functions: properties
@@ -273,7 +315,8 @@ void push_inner_module(lua_State* L, const char* name) { lua_rawgetp(L, LUA_REGI
 
 void open_areas(lua_State* L, int globals) {
   globals = lua_absindex(L, globals);
-  for (int i = 0; i < kTags; ++i) open_object(L, static_cast<Tag>(static_cast<std::uint32_t>(Tag::vec3) + static_cast<std::uint32_t>(i)));
+  const bool methods_first = gets_object_behind_table(L);
+  for (int i = 0; i < kTags; ++i) open_object(L, static_cast<Tag>(static_cast<std::uint32_t>(Tag::vec3) + static_cast<std::uint32_t>(i)), methods_first);
   for (const Area* module : all_areas())
     if (!module->object) open_module(L, *module, globals);
   open_value_operators(L);
