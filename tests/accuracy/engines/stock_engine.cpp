@@ -126,6 +126,7 @@ class StockSimulation final : public Simulation {
     const btTransform placed = body.placed(pose);
     body.object().setWorldTransform(placed);
     body.object().setInterpolationWorldTransform(placed);
+    if (body.rigid) body.rigid->updateInertiaTensor();
     if (body.enabled) world_.updateSingleAabb(&body.object());
   }
   void move(BodyIndex index, const Pose& pose) override {
