@@ -21,24 +21,24 @@ Outcome judge_unmoved(Trial& trial, Build& build, double full, double quick) {
 
 // Rows of base, base - 1 ... 1 cubes that touch their neighbours, each row half a cube aside.
 Outcome flat(Trial& trial) {
-  Build build(trial);
+  Build build(trial, kFriction);
   build.add_floor();
   const int base = as_many(trial, 20, 10, 8);
   for (int row = 0; row < base; ++row)
     for (int i = 0; i < base - row; ++i)
-      build.add(with(dynamic(box({1, 1, 1}), 1), kFriction), {{i + 0.5 * row - 0.5 * (base - 1), row + 0.5, 0}, {}});
+      build.add(dynamic(box({1, 1, 1}), 1), {{i + 0.5 * row - 0.5 * (base - 1), row + 0.5, 0}, {}});
   return judge_unmoved(trial, build, 20, 2);
 }
 
 // Layers of 15 x 15, 14 x 14 ... 1 cubes of 2 m: 1240.
 Outcome square(Trial& trial) {
-  Build build(trial);
+  Build build(trial, kFriction);
   build.add_floor(80);
   const int base = as_many(trial, 15, 4, 3);
   for (int layer = 0; layer < base; ++layer)
     for (int i = 0; i < base - layer; ++i)
       for (int j = 0; j < base - layer; ++j)
-        build.add(with(dynamic(box({2, 2, 2}), 8), kFriction), {{2 * i + layer - (base - 1.0), 2 * layer + 1.0, 2 * j + layer - (base - 1.0)}, {}});
+        build.add(dynamic(box({2, 2, 2}), 8), {{2 * i + layer - (base - 1.0), 2 * layer + 1.0, 2 * j + layer - (base - 1.0)}, {}});
   return judge_unmoved(trial, build, 20, 2);
 }
 

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kFriction = 0.64, kSqueezed = 0.05, kSink = 0.01, kAside = 0.25;  // m
 
-BodyDef cube(double mass) { return with(dynamic(box({1, 1, 1}), mass), kFriction); }
+BodyDef cube(double mass) { return dynamic(box({1, 1, 1}), mass); }
 
 // The last one is the heavy one.
 Outcome judge_load(Trial& trial, Build& build, double sink, double quick) {
@@ -29,7 +29,7 @@ Outcome judge_load(Trial& trial, Build& build, double sink, double quick) {
 }
 
 Outcome column(Trial& trial, int light, double mass) {
-  Build build(trial);
+  Build build(trial, kFriction);
   build.add_floor();
   for (int i = 0; i <= light; ++i) build.add(cube(i == light ? mass : 1), {{0, 0.5 + i, 0}, {}});
   return judge_load(trial, build, kSink, 4);
@@ -37,7 +37,7 @@ Outcome column(Trial& trial, int light, double mass) {
 
 // Ten rows of 10, 9 ... 1 cubes, the topmost heavy.
 Outcome pyramid(Trial& trial, double mass) {
-  Build build(trial);
+  Build build(trial, kFriction);
   build.add_floor();
   constexpr int kRows = 10;
   for (int row = 0; row < kRows; ++row)

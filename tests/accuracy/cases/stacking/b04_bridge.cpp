@@ -8,11 +8,11 @@ namespace {
 constexpr double kBig = 20, kSmall = 1, kSqueezed = 0.1;  // m
 
 Outcome drop(Trial& trial, double gap) {
-  Build build(trial);
+  Build build(trial, 0.6);
   const BodyIndex floor = build.add_floor(80);
-  const BodyDef small = with(dynamic(box({kSmall, kSmall, kSmall}), 1), 0.6);
+  const BodyDef small = dynamic(box({kSmall, kSmall, kSmall}), 1);
   const BodyIndex left = build.add(small, {{-9, kSmall / 2, 0}, {}}), right = build.add(small, {{9, kSmall / 2, 0}, {}});
-  const BodyIndex big = build.add(with(dynamic(box({kBig, kBig, kBig}), kBig * kBig * kBig), 0.6), {{0, kSmall + gap + kBig / 2, 0}, {}});
+  const BodyIndex big = build.add(dynamic(box({kBig, kBig, kBig}), kBig * kBig * kBig), {{0, kSmall + gap + kBig / 2, 0}, {}});
 
   const double seconds = gap > 0 ? lasting(trial, 8, 4, 2.5) : lasting(trial, 8, 3, 0.5);
   const Vec3 right_place{0, kSmall + kBig / 2, 0};

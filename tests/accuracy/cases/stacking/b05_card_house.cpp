@@ -13,7 +13,7 @@ constexpr double kMoved = 0.05;         // m: more, and a card no longer is in i
 
 // PEEL's house, with Box3D's offsets: it stands with small gaps and closes them in the first tenths of a second.
 void raise(Build& build, int levels) {
-  const BodyDef card = with(dynamic(box(kCard), kMass), kFriction);
+  const BodyDef card = dynamic(box(kCard), kMass);
   const Vec3 z{0, 0, 1};
   double left = 0, y = 0.18;
   for (int pairs = levels; pairs > 0; --pairs) {
@@ -31,7 +31,7 @@ void raise(Build& build, int levels) {
 }
 
 Outcome house(Trial& trial, int levels) {
-  Build build(trial);
+  Build build(trial, kFriction);
   build.add_floor();
   raise(build, levels);
   double most = 0;

@@ -9,11 +9,11 @@ namespace tumble::accuracy {
 
 namespace {
 
-constexpr double kCritical = 0.1075, kRadius = 10, kDensity = 1;
+constexpr double kCritical = 0.1075, kRadius = 10, kDensity = 1, kFriction = 0.8;
 
 // A convex stone by its eight corners, the first four a face and the last four the face across, in the same order.
 // It is put where its centre of mass is, by the sum over its tetrahedra.
-void lay(Build& build, const std::vector<Vec3>& corners, double density, double friction) {
+void lay(Build& build, const std::vector<Vec3>& corners, double density) {
   constexpr int kFaces[6][4] = {{0, 1, 2, 3}, {7, 6, 5, 4}, {0, 4, 5, 1}, {1, 5, 6, 2}, {2, 6, 7, 3}, {3, 7, 4, 0}};
   Vec3 middle, moment;
   for (const Vec3& corner : corners) middle += corner / static_cast<double>(corners.size());
@@ -31,16 +31,16 @@ void lay(Build& build, const std::vector<Vec3>& corners, double density, double 
   const Vec3 center = moment / volume;
   std::vector<Vec3> points;
   for (const Vec3& corner : corners) points.push_back(corner - center);
-  build.add(with(dynamic(hull(points), volume * density), friction), {center, {}});
+  build.add(dynamic(hull(points), volume * density), {center, {}});
 }
 
 // A stone between two cuts through an arch in the plane of x and y, a metre deep.
 struct Cut {
   Vec3 inner, outer;
 };
-void lay_between(Build& build, const Cut& a, const Cut& b, double density, double friction) {
+void lay_between(Build& build, const Cut& a, const Cut& b, double density) {
   const Vec3 half{0, 0, 0.5};
-  lay(build, {a.inner - half, a.outer - half, b.outer - half, b.inner - half, a.inner + half, a.outer + half, b.outer + half, b.inner + half}, density, friction);
+  lay(build, {a.inner - half, a.outer - half, b.outer - half, b.inner - half, a.inner + half, a.outer + half, b.outer + half, b.inner + half}, density);
 }
 
 // All must stay where they are: within a quarter of the stones' size across, and two hundredths of it in height.
@@ -61,7 +61,7 @@ Outcome judge_arch(Build& build, double seconds, double stone) {
 }
 
 Outcome catenary_arch(Trial& trial) {
-  Build build(trial);
+  Build build(trial, 0.6);
   build.add_floor();
   constexpr int kStones = 17;
   constexpr double kHalfSpan = 5, kScale = 2, kFoot = 2, kCrown = 1.3;  // m; y = rise - a (cosh(x / a) - 1)
@@ -77,9 +77,9 @@ Outcome catenary_arch(Trial& trial) {
     if (i == 0 || i == kStones) cut = {{on.x - std::copysign(kFoot / 2, on.x), 0, 0}, {on.x + std::copysign(kFoot / 2, on.x), 0, 0}};
     cuts.push_back(cut);
   }
-  for (std::size_t i = 0; i < kStones; ++i) lay_between(build, cuts[i], cuts[i + 1], 200, 0.6);
+  for (std::size_t i = 0; i < kStones; ++i) lay_between(build, cuts[i], cuts[i + 1], 200);
   const double top = cuts[kStones / 2].outer.y;
-  for (int i = 0; i < 4; ++i) build.add(with(dynamic(box({4, 1, 1}), 800), 0.6), {{0, top + 0.5 + i, 0}, {}});
+  for (int i = 0; i < 4; ++i) build.add(dynamic(box({4, 1, 1}), 800), {{0, top + 0.5 + i, 0}, {}});
   return judge_arch(build, lasting(trial, 20, 2, 0.3), 1);
 }
 
@@ -91,18 +91,18 @@ void raise_semicircle(Build& build, double thickness) {
     const Vec3 out{-std::cos(kPi * i / kStones), i % kStones == 0 ? 0 : std::sin(kPi * i / kStones), 0};
     return Cut{out * (kRadius - thickness / 2), out * (kRadius + thickness / 2)};
   };
-  for (int i = 0; i < kStones; ++i) lay_between(build, cut(i), cut(i + 1), kDensity, 0.8);
+  for (int i = 0; i < kStones; ++i) lay_between(build, cut(i), cut(i + 1), kDensity);
 }
 
 Outcome semicircle(Trial& trial, double ratio) {
-  Build build(trial);
+  Build build(trial, kFriction);
   raise_semicircle(build, ratio * kRadius);
   return judge_arch(build, lasting(trial, 20, 2, 0.3), 1);
 }
 
 // The height of the crown's lower stone after the run, of what it was.
 double crown_left(Trial& trial, double ratio, double seconds) {
-  Build build(trial);
+  Build build(trial, kFriction);
   raise_semicircle(build, ratio * kRadius);
   double left = 1;
   build.run(seconds, [&](double) {
@@ -142,7 +142,7 @@ Outcome critical(Trial& trial) {
 
 // Eight rings of sixteen stones each, the last ring's meet in a point.
 Outcome dome(Trial& trial) {
-  Build build(trial);
+  Build build(trial, kFriction);
   build.add_floor();
   constexpr int kRings = 8, kAround = 16;
   constexpr double kThick = 0.1 * kRadius;
@@ -155,7 +155,7 @@ Outcome dome(Trial& trial) {
   for (int ring = 0; ring < kRings; ++ring)
     for (int turn = 0; turn < kAround; ++turn)
       lay(build, {corner(ring, turn, kIn), corner(ring, turn + 1, kIn), corner(ring + 1, turn + 1, kIn), corner(ring + 1, turn, kIn),
-                  corner(ring, turn, kOut), corner(ring, turn + 1, kOut), corner(ring + 1, turn + 1, kOut), corner(ring + 1, turn, kOut)}, kDensity, 0.8);
+                  corner(ring, turn, kOut), corner(ring, turn + 1, kOut), corner(ring + 1, turn + 1, kOut), corner(ring + 1, turn, kOut)}, kDensity);
   return judge_arch(build, lasting(trial, 20, 0.2, 0.05), 1);
 }
 

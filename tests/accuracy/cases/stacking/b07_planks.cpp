@@ -9,11 +9,11 @@ namespace {
 // SimBenchmark's building: each floor has eight cross blocks, and walls of five on the one and four on the other side
 // that bind them; the block at its top corner tells whether it stands.
 Outcome kapla(Trial& trial) {
-  Build build(trial);
+  Build build(trial, 0.8);
   build.add_floor();
   constexpr int kFloors = 6, kCrosses = 8;
-  constexpr double kLong = 0.2, kShort = 0.05, kHigh = 0.1, kFriction = 0.8;
-  const auto block = [&](Vec3 size, Vec3 at) { build.add(with(dynamic(box(size), 10), kFriction), {at, {}}); };
+  constexpr double kLong = 0.2, kShort = 0.05, kHigh = 0.1;
+  const auto block = [&](Vec3 size, Vec3 at) { build.add(dynamic(box(size), 10), {at, {}}); };
   const double middle = (kCrosses - 1) * kLong / 2;
   for (int floor = 0; floor < kFloors; ++floor) {
     const double y = floor * 2 * kHigh + kHigh / 2;
@@ -34,7 +34,7 @@ Outcome kapla(Trial& trial) {
 
 // Two planks a layer, a layer across the other.
 Outcome jenga(Trial& trial) {
-  Build build(trial);
+  Build build(trial, 0.6);
   build.add_floor();
   constexpr int kLayers = 30;
   constexpr double kHigh = 0.2, kApart = 0.7;
@@ -42,7 +42,7 @@ Outcome jenga(Trial& trial) {
     for (const double side : {kApart, -kApart}) {
       const bool across = layer % 2 == 1;
       const double y = (layer + 0.5) * kHigh;
-      build.add(with(dynamic(box(across ? Vec3{2, kHigh, kHigh} : Vec3{kHigh, kHigh, 2}), 1), 0.6), {across ? Vec3{0, y, side} : Vec3{side, y, 0}, {}});
+      build.add(dynamic(box(across ? Vec3{2, kHigh, kHigh} : Vec3{kHigh, kHigh, 2}), 1), {across ? Vec3{0, y, side} : Vec3{side, y, 0}, {}});
     }
   Stand stand;
   stand.seconds = lasting(trial, 20, 2, 0.2);

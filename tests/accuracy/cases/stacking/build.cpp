@@ -21,9 +21,12 @@ double lasting(Trial& trial, double full, double quick, double test) {
 
 int as_many(Trial& trial, int full, int quick, int test) { return static_cast<int>(std::lround(lasting(trial, full, quick, test))); }
 
-Build::Build(Trial& trial, const SceneSettings& settings) : trial_(trial), scene_(trial.scene(settings)) { outcome_.max_penetration = 0; }
+Build::Build(Trial& trial, double friction, const SceneSettings& settings) : trial_(trial), scene_(trial.scene(settings)), friction_(std::sqrt(friction)) {
+  outcome_.max_penetration = 0;
+}
 
-BodyIndex Build::add(const BodyDef& def, const Pose& pose) {
+BodyIndex Build::add(BodyDef def, const Pose& pose) {
+  def.friction = friction_;
   const BodyIndex body = scene_.add(def, pose);
   const bool moves = def.type == BodyType::dynamic;
   placed_.push_back({body, def.colliders.front().shape, moves});
@@ -90,6 +93,7 @@ double Build::fastest() const {
 }
 
 Outcome Build::judge(bool of_energy) {
+  if (!failed()) outcome_.max_penetration = std::max(*outcome_.max_penetration, deepest(overlaps()));
   double potential = 0;
   for (const Block& block : blocks_) {
     const MassProperties mass = scene_.mass_properties(block.body);

@@ -23,13 +23,14 @@ struct Block {
 
 class Build {
  public:
-  explicit Build(Trial& trial, const SceneSettings& settings = {});
+  // `friction` is that of every pair, so each body gets its root: a pair has the product.
+  Build(Trial& trial, double friction, const SceneSettings& settings = {});
 
   Simulation& scene() { return scene_; }
   const std::vector<Block>& blocks() const { return blocks_; }      // those that move, by age
   const Block& block(int index) const { return blocks_.at(static_cast<std::size_t>(index)); }
   const Block& last() const { return blocks_.back(); }
-  BodyIndex add(const BodyDef& def, const Pose& pose);
+  BodyIndex add(BodyDef def, const Pose& pose);
   BodyIndex add_floor(double side = 40);
 
   // Steps it, and `each` is called after each step with the seconds since the start of this run. Ends early where it
@@ -60,6 +61,7 @@ class Build {
 
   Trial& trial_;
   Simulation& scene_;
+  double friction_;          // of each body
   std::vector<Block> blocks_;
   std::vector<Placed> placed_;
   Outcome outcome_;

@@ -1,0 +1,40 @@
+// A wall of cubes that lands whole from 5 m: it must take the blow in all its layers at once, end at rest with the
+// cubes where they belong, and gain nothing.
+#include "accuracy/cases/stacking/build.h"
+
+namespace tumble::accuracy {
+
+namespace {
+
+constexpr int kSide = 10, kAllowedOut = 5;
+constexpr double kGap = 0.002, kDrop = 5, kFriction = 0.36, kInPlace = 0.25, kAtRest = 0.05;  // m, m/s
+
+Outcome wall(Trial& trial) {
+  Build build(trial, kFriction);
+  build.add_floor(60);
+  for (int row = 0; row < kSide; ++row)
+    for (int column = 0; column < kSide; ++column)
+      build.add(dynamic(box({1, 1, 1}), 1), {{(column - 4.5) * (1 + kGap), kDrop + 0.5 + row * (1 + kGap), 0}, {}});
+
+  build.run(lasting(trial, 10, 3, 1.5));
+
+  int out = 0;
+  for (int i = 0; i < kSide * kSide; ++i) {
+    const Block& cube = build.block(i);
+    if (build.way(cube.body, {cube.start.position.x, 0.5 + i / kSide, 0}).far() > kInPlace) ++out;
+  }
+  build.demand(out, kAllowedOut);
+  if (trial.full()) build.demand(build.fastest(), kAtRest);
+  Outcome outcome = build.judge();
+  outcome.worst = out;
+  return outcome;
+}
+
+}  // namespace
+
+Case s04_wall() {
+  return {"S04", "Wall from 5 m", "10 x 10 cubes of 1 m, 2 mm apart, fall 5 m as a wall, friction 0.36", "the wall on the floor",
+          "cubes more than a quarter out of place over 5, speed after 10 s over 0.05 m/s, energy gained over 1 %", {{"", 1, wall}}};
+}
+
+}  // namespace tumble::accuracy
