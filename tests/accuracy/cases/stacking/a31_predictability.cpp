@@ -189,7 +189,7 @@ double wave_speed(Trial& trial, const Stage& stage, double frame) {
 Outcome domino_wave(Trial& trial) {
   const Stage stage = dominoes(as_many(trial, 50, 14, 11));
   const double speed = wave_speed(trial, stage, kFrame);
-  const double limit = trial.reference(wave_speed(trial, stage, 1.0 / 960));
+  const double limit = trial.reference(wave_speed(trial, stage, 1 / lasting(trial, 960, 960, 480)));
   Outcome outcome;
   if (!(speed > 0) || !(limit > 0)) {
     outcome.error = 1;
@@ -206,10 +206,10 @@ Outcome domino_wave(Trial& trial) {
 Case a31_predictability() {
   return {"A31", "Self-consistency", "a pile of 30 mixed bodies, a jointed figure that falls, dominoes; each played 0.1 s from 20 moments of a run",
           "S: the same engine at a 64th of the step; dominoes: at 960 Hz", "RMS difference over RMS way of all bodies; after a nudge of 1e-6 m likewise; relative wave speed",
-          {{"pile", 1e-2, [](Trial& t) { return against_limit(t, pile(), 4); }},
+          {{"pile", 1e-2, [](Trial& t) { return against_limit(t, pile(), lasting(t, 4, 4, 2)); }},
            {"figure", 1e-2, [](Trial& t) { return against_limit(t, figure(), 2); }},
            {"dominoes", 1e-2, [](Trial& t) { return against_limit(t, dominoes(as_many(t, 50, 15, 8)), 2); }},
-           {"pile, nudged", 1e-4, [](Trial& t) { return growth(t, pile(), 4); }},
+           {"pile, nudged", 1e-4, [](Trial& t) { return growth(t, pile(), lasting(t, 4, 4, 2)); }},
            {"domino wave", 2e-2, domino_wave}}};
 }
 

@@ -14,7 +14,7 @@ BodyDef cube(double mass) { return dynamic(box({1, 1, 1}), mass); }
 Outcome judge_load(Trial& trial, Build& build, double sink, double quick) {
   double squeezed = 0, lower = 0, aside = 0;
   int frame = 0;
-  build.run(lasting(trial, 10, quick, 0.5), [&](double time) {
+  build.run(lasting(trial, 10, quick, quick / 8), [&](double time) {
     if (++frame % 6 == 0) squeezed = std::max(squeezed, deepest(build.overlaps()));
     for (const Block& block : build.blocks()) aside = std::max(aside, build.moved(block).across);
     lower = std::max(lower, build.moved(build.last()).up);
