@@ -125,7 +125,7 @@ Outcome too_thin(Trial& trial) {
 
 // The thickness from which it stands, by halving.
 Outcome critical(Trial& trial) {
-  const double seconds = lasting(trial, 10, 2, 1);
+  const double seconds = lasting(trial, 10, 2, 0.4);
   const int halvings = as_many(trial, 6, 3, 1);
   double falls = 0.04, stands = 0.2;
   if (crown_left(trial, stands, seconds) < 0.9) stands = 0.4;
