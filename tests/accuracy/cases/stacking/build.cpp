@@ -19,6 +19,10 @@ double lasting(Trial& trial, double full, double quick, double test) {
   return trial.shortened(full, trial.effort() == Effort::test ? test : quick);
 }
 
+double soaking(Trial& trial, double soak, double full, double quick, double test) {
+  return trial.effort() == Effort::soak ? soak : lasting(trial, full, quick, test);
+}
+
 int as_many(Trial& trial, int full, int quick, int test) { return static_cast<int>(std::lround(lasting(trial, full, quick, test))); }
 
 Build::Build(Trial& trial, double friction, const SceneSettings& settings) : trial_(trial), scene_(trial.scene(settings)), friction_(std::sqrt(friction)) {

@@ -13,6 +13,8 @@ namespace tumble::accuracy {
 
 // Seconds of a run by the trial's effort; the row says so where they are fewer than in the full run.
 double lasting(Trial& trial, double full, double quick, double test);
+// Of what takes over a minute at full length: that only in a soak.
+double soaking(Trial& trial, double soak, double full, double quick, double test);
 // Likewise of a number of bodies, levels or tries.
 int as_many(Trial& trial, int full, int quick, int test);
 
