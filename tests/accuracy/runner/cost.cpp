@@ -71,14 +71,21 @@ std::optional<Cost> measure_cost(const Recorder& scene, const EngineKind& engine
   const EngineKind& stock = engines().back();
   const bool itself = engine.name == stock.name && knobs == stock.defaults;
   std::unique_ptr<Playback> a = std::make_unique<Playback>(scene, engine, knobs), b;
-  try {
-    if (!itself) b = std::make_unique<Playback>(scene, stock, stock.defaults);
-    if (b) b->play(kWarmTicks);
-  } catch (const Missing&) {
+  // Stock may refuse what the other engine took, at any time of the scene.
+  const auto beside = [&](const auto& play) -> double {
+    try {
+      return play();
+    } catch (const Missing&) {
+    } catch (const std::exception&) {
+    }
     b.reset();
-  } catch (const std::exception&) {  // stock refuses what the other took
-    b.reset();
-  }
+    return 0;
+  };
+  if (!itself)
+    beside([&] {
+      b = std::make_unique<Playback>(scene, stock, stock.defaults);
+      return b->play(kWarmTicks);
+    });
   a->play(kWarmTicks);
 
   // A block is as long as the clock needs, judged by the recording itself.
@@ -93,9 +100,9 @@ std::optional<Cost> measure_cost(const Recorder& scene, const EngineKind& engine
   const double begin = thread_ms();
   for (bool first = true; thread_ms() - begin < budget_ms || static_cast<int>(ticks_us.size()) < kFewestBlocks; first = !first) {
     double ours = 0, theirs = 0;
-    if (b && !first) theirs = timed(*b);
+    if (b && !first) theirs = beside([&] { return timed(*b); });
     ours = timed(*a);
-    if (b && first) theirs = timed(*b);
+    if (b && first) theirs = beside([&] { return timed(*b); });
     if (ours < 0 || theirs < 0) break;
     ticks_us.push_back(ours);
     if (b && theirs > 0) ratios.push_back(ours / theirs);
