@@ -30,6 +30,16 @@ void describe(ModuleSettings& settings, Schema& s) {
   s.add("sound_groups", settings.sound_groups, "sound.groups.");
 }
 
+static std::string_view line_of(std::string_view text, int line) {
+  std::size_t begin = 0;
+  for (int n = 1; n < line; ++n) {
+    begin = text.find('\n', begin);
+    if (begin == std::string_view::npos) return "";
+    ++begin;
+  }
+  return text.substr(begin, text.find('\n', begin) - begin);
+}
+
 Script::Script(Engine& engine, ScriptHost host) : live_(engine), host_(std::move(host)), memory_(host_.memory_limit) {
   first_settings_.physics = engine.settings.physics;
   for (const std::string& group : engine.sounds.groups()) first_settings_.sound_groups[group] = 1;
@@ -75,25 +85,24 @@ Random& Script::random() {
 // A stream for each line of the text that asks at a top level, so that a call inserted elsewhere changes no other
 // line's numbers: seeded by the line's text and how often that text has asked before.
 Random& Script::line_random() {
+  lua_State* L = running_;
   lua_Debug record;
   std::string line;
-  if (lua_getstack(running_, 1, &record) && lua_getinfo(running_, "Sl", &record) && record.source[0] == '@')
-    line = source_line(record.source + 1, record.currentline);
+  if (lua_getstack(L, 1, &record) && lua_getinfo(L, "Sl", &record) && record.source[0] == '@') {
+    push_boot(L, "declared_text");
+    lua_pushstring(L, record.source + 1);
+    lua_call(L, 1, 1);
+    if (const char* text = lua_tostring(L, -1)) line = line_of(text, record.currentline);
+    lua_pop(L, 1);
+  }
   const int nth = key_counts_["random " + line]++;
   declare_random_ = Random(Hash().add(seed_).add(line).add(static_cast<std::uint64_t>(nth)).value());
   return declare_random_;
 }
 
 std::string Script::source_line(const std::string& file, int line) const {
-  std::optional<std::string> text = host_.read(file);
-  if (!text) return "";
-  std::size_t begin = 0;
-  for (int n = 1; n < line; ++n) {
-    begin = text->find('\n', begin);
-    if (begin == std::string::npos) return "";
-    ++begin;
-  }
-  return text->substr(begin, text->find('\n', begin) - begin);
+  const std::optional<std::string> text = host_.read(file);
+  return text ? std::string(line_of(*text, line)) : "";
 }
 
 void Script::log(LogLevel level, const std::string& text) {

@@ -44,6 +44,17 @@ return function(parts)
     end
   end
 
+  local function join_environments(old, new)
+    for fn in pairs(new.functions) do
+      local before = old.modules[new.homes[fn]]
+      for index = 1, before and 255 or 0 do
+        local name = debug.getupvalue(fn, index)
+        if not name then break end
+        if name == "_ENV" then debug.upvaluejoin(fn, index, before.chunk, 1) end
+      end
+    end
+  end
+
   local function join_variable_keepers(matches)
     for variable, match in pairs(matches) do variable.fn, variable.index = match.fn, match.index end
   end
@@ -56,9 +67,9 @@ return function(parts)
   end
 
   local function commit_files(old, new, state)
-    for fn, path in pairs(old.functions) do state.old_paths[debug.getinfo(fn, "S").source .. path] = fn end
+    for fn, path in pairs(old.functions) do state.old_paths[old.homes[fn] .. ":" .. path] = fn end
     for fn, path in pairs(new.functions) do
-      local before = state.old_paths[debug.getinfo(fn, "S").source .. path]
+      local before = state.old_paths[new.homes[fn] .. ":" .. path]
       if before then state.replaced[before] = fn end
     end
     local taken, matches = {}, {}
@@ -91,19 +102,11 @@ return function(parts)
       if before then
         merge_environment(before, file)
         debug.upvaluejoin(file.chunk, 1, before.chunk, 1)
-        for fn in pairs(new.functions) do
-          if debug.getinfo(fn, "S").source == "@" .. path then
-            for index = 1, 255 do
-              local name = debug.getupvalue(fn, index)
-              if not name then break end
-              if name == "_ENV" then debug.upvaluejoin(fn, index, before.chunk, 1) end
-            end
-          end
-        end
         file.env = before.env
         if type(before.value) == "table" and type(file.value) == "table" then file.value = before.value end
       end
     end
+    join_environments(old, new)
     for _, gone in ipairs(old.variable_list) do
       if not taken[gone] and new.modules[gone.file] and type(gone.initial) ~= "function" and type(gone.initial) ~= "table" and type(gone.initial) ~= "userdata" then
         local _, value = debug.getupvalue(gone.fn, gone.index)
@@ -147,7 +150,7 @@ return function(parts)
       if entry ~= "" then run.main = files.module(run, (entry:gsub("%.lua$", ""))) end
       for _, path in ipairs(paths) do
         local name = path:gsub("^std/", ""):gsub("%.lua$", "")
-        if files.exists(name) and not run.modules[path] then files.module(run, name) end
+        if not run.modules[path] and files.exists(name) then files.module(run, name) end
       end
       files.check_handlers(run)
       core.check_declarations()
@@ -178,6 +181,9 @@ return function(parts)
   local function mark_slots(run)
     for node in pairs(run.slots) do core.mark(node, true) end
   end
+
+  -- The text of a file as this run read it.
+  function boot.declared_text(path) return files.current and files.current.texts[path] end
 
   -- First load: false where the text is faulty.
   function boot.load()

@@ -38,6 +38,7 @@ return function(parts)
   local function collect(run, list)
     local seen_tables = {}
     run.functions = run.functions or {}          -- closure -> path
+    run.homes = run.homes or {}                  -- closure -> path of its file
     run.variables = run.variables or {}          -- upvalue id -> variable
     run.variable_list = run.variable_list or {}
     local visit_function, visit_table
@@ -61,6 +62,7 @@ return function(parts)
     function visit_function(file, fn, path)
       if run.functions[fn] or debug.getinfo(fn, "S").source ~= "@" .. file.path then return end
       run.functions[fn] = path
+      run.homes[fn] = file.path
       for index = 1, 255 do
         local name = debug.getupvalue(fn, index)
         if not name then break end
@@ -79,11 +81,12 @@ return function(parts)
       end
     end
 
+    local nodes = core.declared_nodes()
     for _, file in ipairs(list) do
       for _, name in ipairs(core.keys(file.declared)) do visit_function(file, file.env[name], name) end
       if type(file.value) == "table" then visit_table(file, file.value, "return") end
       if type(file.value) == "function" then visit_function(file, file.value, "return") end
-      for _, node in ipairs(core.declared_nodes()) do
+      for _, node in ipairs(nodes) do
         local slots = run.slots[node]
         for _, name in ipairs(slots and core.keys(slots) or {}) do
           visit_function(file, slots[name], core.node_key(node) .. "." .. name)
