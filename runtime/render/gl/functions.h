@@ -47,7 +47,6 @@ class Window;
   X(PFNGLGENRENDERBUFFERSPROC, GenRenderbuffers)                                                                       \
   X(PFNGLGENTEXTURESPROC, GenTextures)                                                                                 \
   X(PFNGLGENVERTEXARRAYSPROC, GenVertexArrays)                                                                         \
-  X(PFNGLGENERATEMIPMAPPROC, GenerateMipmap)                                                                           \
   X(PFNGLGETINTEGERVPROC, GetIntegerv)                                                                                 \
   X(PFNGLGETPROGRAMINFOLOGPROC, GetProgramInfoLog)                                                                     \
   X(PFNGLGETPROGRAMIVPROC, GetProgramiv)                                                                               \

@@ -7,6 +7,7 @@
 
 #include "assets/library.h"
 #include "render/batches.h"
+#include "render/mipmaps.h"
 
 namespace tumble {
 namespace {
@@ -93,9 +94,12 @@ void Textures::upload(Entry& entry, const DrawTexture& texture) {
   gl_.ActiveTexture(GL_TEXTURE0);
   gl_.BindTexture(GL_TEXTURE_2D, entry.texture);
   gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                 image.pixels.data());
-  gl_.GenerateMipmap(GL_TEXTURE_2D);
+  GLint level = 0;
+  const auto send = [&](const Image& copy) {
+    gl_.TexImage2D(GL_TEXTURE_2D, level++, GL_SRGB8_ALPHA8, copy.width, copy.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, copy.pixels.data());
+  };
+  send(image);
+  for (const Image& copy : smaller_copies(image)) send(copy);
   gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
   gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
 }
