@@ -43,6 +43,7 @@ const ThirdParty kThirdParty[] = {
     {R"(nlohmann/)", R"(runtime/engine/json\.cpp)", "nlohmann's JSON"},
     {R"(Eigen/)", R"(runtime/(physics|render)/.*)", "Eigen"},
     {R"(zip)", R"(runtime/assets/.*\.cpp)", "libzip"},
+    {R"(zlib)", R"(runtime/render/picture\.cpp)", "zlib"},
     {R"((vorbis|ogg)/)", R"(runtime/assets/.*\.cpp)", "libvorbis"},
     {R"(tiny_gltf)", R"(runtime/assets/gltf.*\.cpp)", "tinygltf"},
     {R"(stb)", R"(runtime/(assets|render)/.*\.cpp)", "stb"},

@@ -1,7 +1,7 @@
 # Every third-party library as one imported target, tumble::<name>, so that the rest of the build names no paths.
 #
 #   tumble::lua tumble::bullet    our own builds (build.sh), or the system's where those cannot be had
-#   tumble::sdl2 tumble::zip tumble::vorbis      shared libraries of the system
+#   tumble::sdl2 tumble::zip tumble::zlib tumble::vorbis      shared libraries of the system
 #   tumble::eigen tumble::json tumble::stb tumble::tinygltf tumble::cli11 tumble::catch2    headers only
 #
 # CMake's own finders are not used: FindLua picks the C build, FindBullet the float one, libzip's wants zipcmp.
@@ -60,6 +60,7 @@ endif()
 
 tumble_pkg_config(sdl2 sdl2)
 tumble_pkg_config(zip libzip)
+tumble_pkg_config(zlib zlib)
 tumble_pkg_config(vorbis vorbisfile)
 tumble_pkg_config(eigen eigen3)
 tumble_pkg_config(json nlohmann_json)
