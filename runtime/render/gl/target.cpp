@@ -16,58 +16,83 @@ void check_complete(const Gl& gl, const char* what, int width, int height) {
 
 }  // namespace
 
+Target::Target(const Gl& gl, int samples) : gl_(gl), samples_(samples), show_program_(gl, {"show.vert.glsl"}, {"show.frag.glsl"}) {
+  gl_.GenVertexArrays(1, &no_array_);
+}
+
 Target::~Target() {
-  remove(drawn_);
-  remove(smooth_);
+  remove();
+  gl_.DeleteVertexArrays(1, &no_array_);
 }
 
-Target::Buffers Target::make(int samples, bool with_depth) {
-  Buffers buffers;
-  const auto attach = [&](GLuint& buffer, GLenum format, GLenum place) {
-    gl_.GenRenderbuffers(1, &buffer);
-    gl_.BindRenderbuffer(GL_RENDERBUFFER, buffer);
-    gl_.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width_, height_);
-    gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, place, GL_RENDERBUFFER, buffer);
-  };
-  gl_.GenFramebuffers(1, &buffers.frame);
-  gl_.BindFramebuffer(GL_FRAMEBUFFER, buffers.frame);
-  attach(buffers.color, GL_RGBA8, GL_COLOR_ATTACHMENT0);
-  if (with_depth) attach(buffers.depth, GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT);
+void Target::attach_buffer(GLuint& buffer, GLenum format, GLenum place) {
+  gl_.GenRenderbuffers(1, &buffer);
+  gl_.BindRenderbuffer(GL_RENDERBUFFER, buffer);
+  gl_.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples_, format, width_, height_);
+  gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, place, GL_RENDERBUFFER, buffer);
+}
+
+void Target::attach_picture() {
+  gl_.GenTextures(1, &picture_);
+  gl_.ActiveTexture(GL_TEXTURE0);
+  gl_.BindTexture(GL_TEXTURE_2D, picture_);
+  gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width_, height_, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  for (const GLenum way : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) gl_.TexParameteri(GL_TEXTURE_2D, way, GL_NEAREST);
+  gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, picture_, 0);
+}
+
+void Target::make() {
+  gl_.GenFramebuffers(1, &frame_);
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, frame_);
+  attach_picture();
+  drawn_ = frame_;
+  if (samples_ > 0) {
+    check_complete(gl_, "a picture", width_, height_);
+    gl_.GenFramebuffers(1, &drawn_);
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, drawn_);
+    attach_buffer(color_, GL_RGBA8, GL_COLOR_ATTACHMENT0);
+  }
+  attach_buffer(depth_, GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT);
   check_complete(gl_, "a picture", width_, height_);
-  return buffers;
 }
 
-void Target::remove(Buffers& buffers) {
-  gl_.DeleteFramebuffers(1, &buffers.frame);
-  const GLuint both[] = {buffers.color, buffers.depth};
-  gl_.DeleteRenderbuffers(2, both);
-  buffers = {};
+void Target::remove() {
+  const GLuint frames[] = {frame_, drawn_ == frame_ ? 0 : drawn_}, buffers[] = {color_, depth_};
+  gl_.DeleteFramebuffers(2, frames);
+  gl_.DeleteRenderbuffers(2, buffers);
+  gl_.DeleteTextures(1, &picture_);
+  frame_ = picture_ = drawn_ = color_ = depth_ = 0;
 }
 
 void Target::begin(int width, int height) {
   if (width != width_ || height != height_) {
-    remove(drawn_);
-    remove(smooth_);
+    remove();
     width_ = width;
     height_ = height;
-    drawn_ = make(samples_, true);
-    if (samples_ > 0) smooth_ = make(0, false);
+    make();
   }
-  gl_.BindFramebuffer(GL_FRAMEBUFFER, drawn_.frame);
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, drawn_);
   gl_.Viewport(0, 0, width_, height_);
 }
 
-void Target::copy(GLuint from, GLuint to) {
-  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, from);
-  gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, to);
-  gl_.BlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-}
-
+// Drawn rather than copied: Mesa's way of copying into a window compiles a shader of its own, in every run.
 void Target::show() {
-  // In two steps: ES averages samples only into a buffer of the same format.
-  if (samples_ > 0) copy(drawn_.frame, smooth_.frame);
-  copy(samples_ > 0 ? smooth_.frame : drawn_.frame, 0);
+  if (samples_ > 0) {
+    gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, drawn_);
+    gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, frame_);
+    gl_.BlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  }
   gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
+  gl_.Disable(GL_BLEND);
+  gl_.Disable(GL_DEPTH_TEST);
+  gl_.Disable(GL_CULL_FACE);
+  gl_.ActiveTexture(GL_TEXTURE0);
+  gl_.BindTexture(GL_TEXTURE_2D, picture_);
+  show_program_.use();
+  show_program_.set("picture", 0);
+  gl_.BindVertexArray(no_array_);
+  gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+  gl_.BindVertexArray(0);
 }
 
 Picture Target::read() {
@@ -75,7 +100,7 @@ Picture Target::read() {
   if (width_ == 0) return picture;
   const std::size_t pixels = static_cast<std::size_t>(width_) * height_;
   std::vector<std::uint8_t> rgba(pixels * 4);
-  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, samples_ > 0 ? smooth_.frame : drawn_.frame);
+  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, frame_);
   gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
   gl_.ReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
   gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);

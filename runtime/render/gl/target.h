@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render/gl/functions.h"
+#include "render/gl/program.h"
 #include "render/renderer.h"
 
 namespace tumble {
@@ -9,7 +10,7 @@ namespace tumble {
 class Target {
  public:
   // `samples` per pixel, 0 for no smoothing of edges.
-  Target(const Gl& gl, int samples) : gl_(gl), samples_(samples) {}
+  Target(const Gl& gl, int samples);
   ~Target();
   Target(const Target&) = delete;
   Target& operator=(const Target&) = delete;
@@ -21,17 +22,18 @@ class Target {
   Picture read();
 
  private:
-  struct Buffers {
-    GLuint frame = 0, color = 0, depth = 0;
-  };
-
-  Buffers make(int samples, bool with_depth);
-  void remove(Buffers& buffers);
-  void copy(GLuint from, GLuint to);
+  void make();
+  void remove();
+  // Of the framebuffer at hand.
+  void attach_buffer(GLuint& buffer, GLenum format, GLenum place);
+  void attach_picture();
 
   const Gl& gl_;
   int samples_ = 0, width_ = 0, height_ = 0;
-  Buffers drawn_, smooth_;  // smooth_ only where there are samples to be averaged
+  GLuint frame_ = 0, picture_ = 0;              // the finished picture, a texture
+  GLuint drawn_ = 0, color_ = 0, depth_ = 0;    // what is drawn into: frame_, unless there are samples to be averaged
+  GLuint no_array_ = 0;
+  Program show_program_;
 };
 
 // A texture of depths seen from the sun: square maps side by side.
