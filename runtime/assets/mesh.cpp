@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "assets/mesh_detail.h"
 #include "base/hash.h"
 
 namespace tumble {
@@ -12,6 +13,17 @@ constexpr int kSides = 32;       // around the axis
 constexpr int kRings = 16;       // from pole to pole
 constexpr int kTorusSides = 48;  // around the axis
 constexpr int kTubeSides = 16;
+
+// How many corners go round, and along half a circle, when each step of coarseness halves them.
+struct Detail {
+  int sides = kSides, rings = kRings, torus_sides = kTorusSides, tube_sides = kTubeSides;
+
+  explicit Detail(int coarseness)
+      : sides(kSides >> coarseness), rings(kRings >> coarseness), torus_sides(kTorusSides >> coarseness), tube_sides(kTubeSides >> coarseness) {}
+};
+
+// How far a chord lies within its circle.
+double sagitta(double radius, int sides) { return radius * (1 - std::cos(kPi / sides)); }
 
 // u to the right and v down, 0..1.
 std::uint32_t add_vertex(Mesh& mesh, Vec3 position, Vec3 normal, double u, double v) {
@@ -116,22 +128,22 @@ Mesh make_plane(Vec3 size) {
 }
 
 // A sphere cut at its equator and pulled apart; with height 2 radius, a sphere.
-Mesh make_capsule(double radius, double height) {
+Mesh make_capsule(double radius, double height, const Detail& detail) {
   const double half = std::max(0.0, height / 2 - radius);
   std::vector<Outline> outline;
-  add_arc(outline, 0, -half, radius, -kPi / 2, 0, kRings / 2);
+  add_arc(outline, 0, -half, radius, -kPi / 2, 0, detail.rings / 2);
   if (half == 0) outline.pop_back();
-  add_arc(outline, 0, half, radius, 0, kPi / 2, kRings / 2);
+  add_arc(outline, 0, half, radius, 0, kPi / 2, detail.rings / 2);
   Mesh mesh;
-  add_turned(mesh, outline, kSides);
+  add_turned(mesh, outline, detail.sides);
   return mesh;
 }
 
 // A disc across the axis, facing up or down.
-void add_cap(Mesh& mesh, double radius, double y, bool up) {
+void add_cap(Mesh& mesh, double radius, double y, bool up, int sides) {
   const std::size_t first = mesh.vertices.size();
-  if (up) add_turned(mesh, {{radius, y, 0, 1}, {0, y, 0, 1}}, kSides);
-  else add_turned(mesh, {{0, y, 0, -1}, {radius, y, 0, -1}}, kSides);
+  if (up) add_turned(mesh, {{radius, y, 0, 1}, {0, y, 0, 1}}, sides);
+  else add_turned(mesh, {{0, y, 0, -1}, {radius, y, 0, -1}}, sides);
   for (std::size_t i = first; i < mesh.vertices.size(); ++i) {
     Vertex& vertex = mesh.vertices[i];
     const float down = up ? vertex.position[2] : -vertex.position[2];
@@ -139,29 +151,29 @@ void add_cap(Mesh& mesh, double radius, double y, bool up) {
   }
 }
 
-Mesh make_cylinder(double radius, double height) {
+Mesh make_cylinder(double radius, double height, const Detail& detail) {
   Mesh mesh;
-  add_cap(mesh, radius, -height / 2, false);
-  add_turned(mesh, {{radius, -height / 2, 1, 0}, {radius, height / 2, 1, 0}}, kSides);
-  add_cap(mesh, radius, height / 2, true);
+  add_cap(mesh, radius, -height / 2, false, detail.sides);
+  add_turned(mesh, {{radius, -height / 2, 1, 0}, {radius, height / 2, 1, 0}}, detail.sides);
+  add_cap(mesh, radius, height / 2, true, detail.sides);
   return mesh;
 }
 
-Mesh make_cone(double radius, double height) {
+Mesh make_cone(double radius, double height, const Detail& detail) {
   const double slant = std::hypot(radius, height);
   const double across = height / slant, up = radius / slant;
   Mesh mesh;
-  add_cap(mesh, radius, -height / 2, false);
-  add_turned(mesh, {{radius, -height / 2, across, up}, {0, height / 2, across, up}}, kSides);
+  add_cap(mesh, radius, -height / 2, false, detail.sides);
+  add_turned(mesh, {{radius, -height / 2, across, up}, {0, height / 2, across, up}}, detail.sides);
   return mesh;
 }
 
-Mesh make_torus(double radius, double thickness) {
+Mesh make_torus(double radius, double thickness, const Detail& detail) {
   std::vector<Outline> outline;
-  add_arc(outline, radius, 0, thickness / 2, -kPi, kPi, kTubeSides);
+  add_arc(outline, radius, 0, thickness / 2, -kPi, kPi, detail.tube_sides);
   outline.back() = outline.front();
   Mesh mesh;
-  add_turned(mesh, outline, kTorusSides);
+  add_turned(mesh, outline, detail.torus_sides);
   return mesh;
 }
 
@@ -172,19 +184,41 @@ bool is_stand_in(const Shape& shape) {
   return shape.shape == ShapeKind::mesh || shape.shape == ShapeKind::height_field;
 }
 
-Mesh make_mesh(const Shape& shape) {
+Mesh make_mesh(const Shape& shape) { return make_mesh(shape, 0); }
+
+Mesh make_mesh(const Shape& shape, int coarseness) {
   if (is_stand_in(shape)) return make_box(shape.size);
+  const Detail detail(coarseness);
   switch (shape.shape) {
-    case ShapeKind::sphere: return make_capsule(shape.radius, 2 * shape.radius);
-    case ShapeKind::capsule: return make_capsule(shape.radius, shape.height);
-    case ShapeKind::cylinder: return make_cylinder(shape.radius, shape.height);
-    case ShapeKind::cone: return make_cone(shape.radius, shape.height);
+    case ShapeKind::sphere: return make_capsule(shape.radius, 2 * shape.radius, detail);
+    case ShapeKind::capsule: return make_capsule(shape.radius, shape.height, detail);
+    case ShapeKind::cylinder: return make_cylinder(shape.radius, shape.height, detail);
+    case ShapeKind::cone: return make_cone(shape.radius, shape.height, detail);
     case ShapeKind::pyramid: return make_pyramid(shape.size);
     case ShapeKind::plane: return make_plane(shape.size);
-    case ShapeKind::torus: return make_torus(shape.radius, shape.thickness);
+    case ShapeKind::torus: return make_torus(shape.radius, shape.thickness, detail);
     case ShapeKind::hull: return make_hull(shape.points);
     default: return make_box(shape.size);
   }
+}
+
+int coarseness_within(const Shape& shape, double distance) {
+  const auto off = [&](const Detail& detail) {
+    switch (shape.shape) {
+      case ShapeKind::cylinder:
+      case ShapeKind::cone: return sagitta(shape.radius, detail.sides);
+      // The middle of a face that is curved both ways lies in by both.
+      case ShapeKind::sphere:
+      case ShapeKind::capsule: return 2 * sagitta(shape.radius, detail.sides);
+      case ShapeKind::torus:
+        return sagitta(shape.radius + shape.thickness / 2, detail.torus_sides) + sagitta(shape.thickness / 2, detail.tube_sides);
+      default: return 0.0;
+    }
+  };
+  if (off(Detail(0)) == 0) return 0;  // nothing round: there is one mesh only
+  int coarseness = 0;
+  while (coarseness < kCoarsest && off(Detail(coarseness + 1)) <= distance) ++coarseness;
+  return coarseness;
 }
 
 std::uint64_t mesh_key(const Shape& shape) {

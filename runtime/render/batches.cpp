@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "assets/mesh.h"
+#include "assets/mesh_detail.h"
 #include "base/hash.h"
 
 namespace tumble {
@@ -18,6 +18,7 @@ struct Item {
   std::uint64_t group = 0;  // equal: may be drawn together
   float order = 0;          // near ones first
   std::uint32_t mesh = 0;
+  int coarseness = 0;
 };
 
 // Most neighbours in a list have the same colour, and the curve's powers are dear.
@@ -75,8 +76,8 @@ void add_batches(const DrawList& list, std::vector<Item>& items, bool with_textu
   for (std::size_t i = 0; i < items.size(); ++i) {
     const DrawMesh& mesh = list.meshes[items[i].mesh];
     if (i == 0 || items[i].group != items[i - 1].group)
-      found.push_back({items[i].order, {mesh.shape, with_texture ? mesh.texture : 0, both_sides(mesh),
-                                        comes_again(list, mesh), static_cast<std::uint32_t>(result.instances.size()), 0}});
+      found.push_back({items[i].order, {mesh.shape, with_texture ? mesh.texture : 0, both_sides(mesh), comes_again(list, mesh),
+                                        items[i].coarseness, static_cast<std::uint32_t>(result.instances.size()), 0}});
     ++found.back().second.count;
     result.instances.push_back(painter.instance(mesh));
   }
@@ -84,10 +85,24 @@ void add_batches(const DrawList& list, std::vector<Item>& items, bool with_textu
   for (const auto& [order, batch] : found) result.opaque.push_back(batch);
 }
 
-std::uint64_t group_of(const DrawMesh& mesh, std::uint32_t texture) {
+std::uint64_t group_of(const DrawMesh& mesh, std::uint32_t texture, int coarseness) {
   const bool repeats = texture > 0 && mesh.texture_size > 0;
-  return std::uint64_t{mesh.shape} << 32 | std::uint64_t{texture} << 2 | std::uint64_t{repeats} << 1 | both_sides(mesh);
+  return std::uint64_t{mesh.shape} << 32 | std::uint64_t{texture} << 4 | static_cast<std::uint64_t>(coarseness) << 2 |
+         std::uint64_t{repeats} << 1 | both_sides(mesh);
 }
+
+// The most that the matrix stretches anything.
+double stretch(const Matrix& m) {
+  float squared = 0;
+  for (std::size_t i = 0; i < 12; i += 4) squared = std::max(squared, m[i] * m[i] + m[i + 1] * m[i + 1] + m[i + 2] * m[i + 2]);
+  return std::sqrt(squared);
+}
+
+int coarseness_of(const DrawList& list, const DrawMesh& mesh, double distance) {
+  return coarseness_within(list.shapes[mesh.shape].shape, distance / std::max(stretch(mesh.matrix), 1e-6));
+}
+
+double near_side(const Ball& ball) { return std::max(0.0f, std::sqrt(squared_distance(ball)) - ball.radius); }
 
 }  // namespace
 
@@ -95,14 +110,15 @@ std::array<float, 4> linear(const Color& color) {
   return {linear(color.r), linear(color.g), linear(color.b), static_cast<float>(color.a)};
 }
 
-Batches make_batches(const DrawList& list, const std::vector<Ball>& around, const Wanted& wanted) {
+Batches make_batches(const DrawList& list, const std::vector<Ball>& around, double angle, const Wanted& wanted) {
   Batches result;
   std::vector<Item> opaque, transparent;
   for (std::uint32_t i = 0; i < list.meshes.size(); ++i) {
     const DrawMesh& mesh = list.meshes[i];
     if (mesh.color.a <= 0 || !wanted(around[i])) continue;
-    if (mesh.color.a < 1) transparent.push_back({0, -squared_distance(around[i]), i});
-    else opaque.push_back({group_of(mesh, mesh.texture), far_side(around[i]), i});
+    const int coarseness = coarseness_of(list, mesh, angle * near_side(around[i]));
+    if (mesh.color.a < 1) transparent.push_back({0, -squared_distance(around[i]), i, coarseness});
+    else opaque.push_back({group_of(mesh, mesh.texture, coarseness), far_side(around[i]), i, coarseness});
   }
   add_batches(list, opaque, true, result);
   std::stable_sort(transparent.begin(), transparent.end(), [](const Item& a, const Item& b) { return a.order < b.order; });
@@ -110,18 +126,22 @@ Batches make_batches(const DrawList& list, const std::vector<Ball>& around, cons
   for (const Item& item : transparent) {
     const DrawMesh& mesh = list.meshes[item.mesh];
     result.transparent.push_back(
-        {mesh.shape, mesh.texture, both_sides(mesh), comes_again(list, mesh),
+        {mesh.shape, mesh.texture, both_sides(mesh), comes_again(list, mesh), item.coarseness,
          static_cast<std::uint32_t>(result.instances.size()), 1});
     result.instances.push_back(painter.instance(mesh));
   }
   return result;
 }
 
-Batches make_casters(const DrawList& list, const std::vector<Ball>& around, const Wanted& wanted) {
+Batches make_casters(const DrawList& list, const std::vector<Ball>& around, double distance, const Wanted& wanted) {
   Batches result;
   std::vector<Item> items;
-  for (std::uint32_t i = 0; i < list.meshes.size(); ++i)
-    if (list.meshes[i].color.a >= 1 && wanted(around[i])) items.push_back({group_of(list.meshes[i], 0), 0, i});
+  for (std::uint32_t i = 0; i < list.meshes.size(); ++i) {
+    const DrawMesh& mesh = list.meshes[i];
+    if (mesh.color.a < 1 || !wanted(around[i])) continue;
+    const int coarseness = coarseness_of(list, mesh, distance);
+    items.push_back({group_of(mesh, 0, coarseness), 0, i, coarseness});
+  }
   add_batches(list, items, false, result);
   return result;
 }

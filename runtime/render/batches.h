@@ -25,6 +25,7 @@ struct Batch {
   std::uint32_t shape = 0, texture = 0;  // of the draw list
   bool two_sided = false;
   bool again = false;                    // the texture comes again beyond its edges
+  int coarseness = 0;                    // of the shape's mesh
   std::uint32_t first = 0, count = 0;
 };
 
@@ -35,10 +36,11 @@ struct Batches {
 };
 
 using Wanted = std::function<bool(const Ball&)>;
-// What `wanted` keeps of the list's meshes; `around` holds their balls.
-Batches make_batches(const DrawList& list, const std::vector<Ball>& around, const Wanted& wanted);
-// Opaque meshes only, whatever they look like: for shadows.
-Batches make_casters(const DrawList& list, const std::vector<Ball>& around, const Wanted& wanted);
+// What `wanted` keeps of the list's meshes; `around` holds their balls. What is round is as coarse as is right within
+// `angle`, rad, as the eye sees it.
+Batches make_batches(const DrawList& list, const std::vector<Ball>& around, double angle, const Wanted& wanted);
+// Opaque meshes only, whatever they look like: for shadows. What is round is as coarse as is right within `distance`, m.
+Batches make_casters(const DrawList& list, const std::vector<Ball>& around, double distance, const Wanted& wanted);
 
 // An sRGB colour's light, and its opacity as it is.
 std::array<float, 4> linear(const Color& color);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "assets/library.h"
+#include "assets/mesh_detail.h"
 #include "base/hash.h"
 
 namespace tumble {
@@ -49,14 +50,15 @@ float along(const std::array<float, 3>& axis, const Ball& ball) {
 
 }  // namespace
 
-Mesh mesh_of(const DrawList& list, const DrawShape& shape) {
+Mesh mesh_of(const DrawList& list, const DrawShape& shape, int coarseness) {
   const Mesh* mesh = part_mesh(list, shape);
-  return mesh ? *mesh : make_mesh(shape.shape);
+  return mesh ? *mesh : make_mesh(shape.shape, coarseness);
 }
 
-std::uint64_t geometry_key(const DrawList& list, const DrawShape& shape) {
+std::uint64_t geometry_key(const DrawList& list, const DrawShape& shape, int coarseness) {
   const std::uint64_t version = list.assets && !shape.shape.file.empty() ? list.assets->version(shape.shape.file) : 0;
-  return version == 0 ? shape.key : Hash().add(shape.key).add(version).value();
+  const auto coarse = static_cast<std::uint64_t>(coarseness);
+  return version == 0 && coarse == 0 ? shape.key : Hash().add(shape.key).add(version).add(coarse).value();
 }
 
 const std::vector<MeshBox>& MeshBoxes::find(const DrawList& list) {
@@ -107,6 +109,21 @@ bool Frustum::may_see(const Ball& ball) const {
   if (depth < near_ - ball.radius || depth > far_ + ball.radius) return false;
   if (std::abs(along(right_, ball)) > depth * across_ + ball.radius * across_slant_) return false;
   return std::abs(along(up_, ball)) <= depth * upward_ + ball.radius * upward_slant_;
+}
+
+// What starts outside one of the sight's planes and moves along it or away from it never comes in.
+bool Frustum::may_see_shadow(const Ball& ball, const std::array<float, 3>& light, float reach) const {
+  const Ball way{light[0], light[1], light[2], 0};
+  const float depth = along(forward_, ball), deeper = along(forward_, way);
+  if (depth < near_ - ball.radius && deeper <= 0) return false;
+  if (depth > std::min(far_, reach) + ball.radius && deeper >= 0) return false;
+  const auto stays_out = [&](const std::array<float, 3>& axis, float opening, float slant) {
+    const float beside = along(axis, ball), aside = along(axis, way);
+    for (const float side : {-1.0f, 1.0f})
+      if (side * beside > depth * opening + ball.radius * slant && side * aside >= deeper * opening) return true;
+    return false;
+  };
+  return !stays_out(right_, across_, across_slant_) && !stays_out(up_, upward_, upward_slant_);
 }
 
 }  // namespace tumble

@@ -11,9 +11,9 @@
 namespace tumble {
 
 // The triangles of one of the list's shapes; the stand-in box where the file or the part is missing.
-Mesh mesh_of(const DrawList& list, const DrawShape& shape);
+Mesh mesh_of(const DrawList& list, const DrawShape& shape, int coarseness = 0);
 // Equal for equal triangles, also after a file was saved anew.
-std::uint64_t geometry_key(const DrawList& list, const DrawShape& shape);
+std::uint64_t geometry_key(const DrawList& list, const DrawShape& shape, int coarseness = 0);
 
 // A box around a mesh, in the mesh's own space.
 struct MeshBox {
@@ -43,6 +43,8 @@ class Frustum {
  public:
   Frustum(const DrawList& list, double aspect);
   bool may_see(const Ball& ball) const;
+  // May it see a shadow that the ball throws along the light (unit) onto something at most `reach` away?
+  bool may_see_shadow(const Ball& ball, const std::array<float, 3>& light, float reach) const;
 
  private:
   std::array<float, 3> forward_, right_, up_;  // unit

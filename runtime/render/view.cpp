@@ -41,6 +41,8 @@ Box bounds(const MeshBox& box, const Matrix& m, const Matrix3d& to_frame) {
 
 // Wide things with nothing below them are ground: they are shadowed but their own shadow falls nowhere.
 constexpr double kGroundWidth = 8;  // m
+// So far from a place the shaders look for its shadow, at most.
+constexpr double kFilterMargin = 8;  // texels
 constexpr double kSunkIn = 0.5;     // what reaches less far below a thing's own bottom only stands in it, m
 
 bool is_below(const Box& other, const Box& box) {
@@ -109,7 +111,6 @@ ShadowFit SunView::fit(double aspect, int map_size, double distance) const {
 
   // Along the light everything counts: casters stand before the sight, receivers behind them.
   const double nearest = all_.high.z + 1, farthest = all_.low.z - 1;
-  constexpr double kFilterMargin = 8;  // texels
   constexpr double kLeastSide = 16;    // m; soft edges are some texels wide, and should be so for small things too
   fit.any = true;
   fit.side = stepped_up(std::max({right - left, up - down, kLeastSide}) * (1 + 2 * kFilterMargin / map_size));
@@ -123,6 +124,7 @@ ShadowFit SunView::fit(double aspect, int map_size, double distance) const {
   fit.y = snapped((down + up) / 2, origin.y);
   fit.across = light_ * Vec3{1, 0, 0};
   fit.upward = light_ * Vec3{0, 1, 0};
+  fit.light = light_ * Vec3{0, 0, -1};
 
   Matrix4d box = Matrix4d::Identity();
   box(0, 0) = box(1, 1) = 2 / fit.side;
@@ -142,6 +144,12 @@ bool ShadowFit::may_hold(const Ball& ball) const {
   const Vec3 place{ball.x, ball.y, ball.z};
   const double reach = side / 2 + ball.radius;
   return std::abs(dot(place, across) - x) <= reach && std::abs(dot(place, upward) - y) <= reach;
+}
+
+bool ShadowFit::may_shade(const Ball& ball, const Frustum& frustum) const {
+  const Ball softened{ball.x, ball.y, ball.z, ball.radius + static_cast<float>(kFilterMargin * texel)};
+  const std::array<float, 3> way{static_cast<float>(light.x), static_cast<float>(light.y), static_cast<float>(light.z)};
+  return frustum.may_see_shadow(softened, way, static_cast<float>(kShadowDistance));
 }
 
 double near_shadow_distance(const std::vector<Ball>& around, const Frustum& frustum) {

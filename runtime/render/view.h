@@ -48,9 +48,12 @@ struct ShadowFit {
   double texel = 0;               // one texel's edge, m
   double side = 0, x = 0, y = 0;  // the square and its middle along the next two, m
   Vec3 across, upward;            // unit, at right angles to the light
+  Vec3 light;                     // unit, the way that it goes
 
   // May a shadow of it fall into the map?
   bool may_hold(const Ball& ball) const;
+  // May it fall on what the camera sees?
+  bool may_shade(const Ball& ball, const Frustum& frustum) const;
 };
 
 // The meshes as the sun sees them.

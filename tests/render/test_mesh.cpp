@@ -1,4 +1,4 @@
-#include "assets/mesh.h"
+#include "assets/mesh_detail.h"
 
 #include <catch2/catch.hpp>
 #include <map>
@@ -107,6 +107,29 @@ TEST_CASE("mesh: volumes are those of the shapes, less what facets cut off", "[a
   CHECK(volume_of(ShapeKind::sphere) / ball == Approx(0.99).margin(0.01));
   CHECK(volume_of(ShapeKind::capsule) / (ball + kPi * r * r * (h - 2 * r)) == Approx(0.99).margin(0.01));
   CHECK(volume_of(ShapeKind::torus) / (2 * kPi * r * kPi * tube * tube) == Approx(0.98).margin(0.02));
+}
+
+TEST_CASE("mesh: a coarser mesh is closed, lies within the shape, and not deeper than was allowed", "[assets]") {
+  for (const ShapeKind kind : {ShapeKind::sphere, ShapeKind::capsule, ShapeKind::cylinder, ShapeKind::cone, ShapeKind::torus}) {
+    INFO(name_of(kind));
+    const Shape shape = shape_of(kind);
+    for (const double allowed : {0.0, 0.01, 0.02, 0.05, 0.1, 1.0}) {
+      const int coarseness = coarseness_within(shape, allowed);
+      const Mesh mesh = make_mesh(shape, coarseness);
+      int open = 0;
+      const auto count = edges(mesh);
+      for (const auto& [edge, times] : count) open += !count.contains({edge.second, edge.first});
+      CHECK(open == 0);
+      if (kind != ShapeKind::sphere || coarseness == 0) continue;
+      double shallowest = 1;
+      for (std::size_t i = 0; i < mesh.triangles.size(); i += 3)
+        shallowest = std::min(shallowest, length(position(mesh, i) + position(mesh, i + 1) + position(mesh, i + 2)) / 3);
+      CHECK(shape.radius - shallowest <= allowed);
+    }
+    CHECK(coarseness_within(shape, 0) == 0);
+    CHECK(coarseness_within(shape, 1) == kCoarsest);
+  }
+  CHECK(coarseness_within(shape_of(ShapeKind::box), 1) == 0);
 }
 
 TEST_CASE("mesh: every mesh fills the box around its shape", "[assets]") {

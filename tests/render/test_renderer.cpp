@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include "assets/mesh_detail.h"
 #include "render/batches.h"
 #include "render/null/renderer.h"
 #include "render/scenes.h"
@@ -145,6 +146,20 @@ TEST_CASE("renderer: the null renderer keeps the last list and counts", "[render
   CHECK(renderer.picture().pixels.empty());
 }
 
+TEST_CASE("batches: what is round is coarser from afar, and as fine as ever from near", "[render]") {
+  PictureScene scene({0, 0, 0}, {0, 0, -1});
+  scene.add(ShapeKind::sphere, {0, 0, -1}, "red");
+  scene.add(ShapeKind::sphere, {0, 0, -900}, "red");
+  scene.add(ShapeKind::box, {0, 0, -900}, "red");
+
+  MeshBoxes boxes;
+  const Batches batches = make_batches(scene.list, balls(scene.list, boxes.find(scene.list)), 1e-4, [](const Ball&) { return true; });
+
+  REQUIRE(batches.opaque.size() == 3);
+  CHECK(batches.opaque[0].coarseness == 0);
+  CHECK(batches.opaque[1].coarseness + batches.opaque[2].coarseness == kCoarsest);  // the box has no coarser form
+}
+
 TEST_CASE("batches: equal shapes are one batch, near ones first; glass comes one by one from afar", "[render]") {
   PictureScene scene({0, 0, 0}, {0, 0, -1});
   scene.add(ShapeKind::box, {0, 0, -9}, "red");
@@ -155,7 +170,7 @@ TEST_CASE("batches: equal shapes are one batch, near ones first; glass comes one
   scene.add(ShapeKind::box, {0, 0, -5}, "#ff000000");
 
   MeshBoxes boxes;
-  const Batches batches = make_batches(scene.list, balls(scene.list, boxes.find(scene.list)), [](const Ball&) { return true; });
+  const Batches batches = make_batches(scene.list, balls(scene.list, boxes.find(scene.list)), 0, [](const Ball&) { return true; });
 
   REQUIRE(batches.opaque.size() == 2);
   CHECK(batches.opaque[0].count == 1);  // the sphere, before both boxes

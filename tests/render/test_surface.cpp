@@ -142,8 +142,35 @@ TEST_CASE("surface: meshes behind the camera are not sent", "[render]") {
   MeshBoxes boxes;
   const Frustum frustum(scene.list, 16.0 / 9);
 
-  const Batches batches = make_batches(scene.list, balls(scene.list, boxes.find(scene.list)),
+  const Batches batches = make_batches(scene.list, balls(scene.list, boxes.find(scene.list)), 0,
                                        [&](const Ball& ball) { return frustum.may_see(ball); });
 
   CHECK(batches.instances.size() == 2);
+}
+
+TEST_CASE("surface: a shadow is seen where the ball that throws it is not, and never lost", "[render]") {
+  PictureScene scene({0, 0, 0}, {0, 0, -1});
+  const Frustum frustum(scene.list, 16.0 / 9);
+  const std::array<float, 3> down{0, -1, 0}, up{0, 1, 0}, away{0, 0, -1}, back{0, 0, 1};
+
+  CHECK(frustum.may_see_shadow({0, 30, -10, 1}, down, 60));
+  CHECK_FALSE(frustum.may_see_shadow({0, 30, -10, 1}, up, 60));
+  CHECK(frustum.may_see_shadow({0, 0, 10, 1}, away, 60));
+  CHECK_FALSE(frustum.may_see_shadow({0, 0, 10, 1}, back, 60));
+  CHECK_FALSE(frustum.may_see_shadow({0, 0, -70, 1}, away, 60));
+  CHECK(frustum.may_see_shadow({0, 0, -70, 1}, back, 60));
+
+  // Whatever the light: where some place along it is in sight, the shadow is.
+  int lost = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3 light = normalized(Vec3{std::sin(i * 1.3), std::sin(i * 2.1 + 1), std::sin(i * 0.7 + 2)});
+    const Ball ball{static_cast<float>(40 * std::sin(i * 3.1)), static_cast<float>(40 * std::sin(i * 1.7)), static_cast<float>(40 * std::sin(i * 2.3)), 1};
+    bool seen = false;
+    for (float far = 0; far < 100; far += 0.5f) {
+      const Ball shadow{ball.x + far * static_cast<float>(light.x), ball.y + far * static_cast<float>(light.y), ball.z + far * static_cast<float>(light.z), 1};
+      seen |= shadow.z > -60 && frustum.may_see(shadow);
+    }
+    lost += seen && !frustum.may_see_shadow(ball, {static_cast<float>(light.x), static_cast<float>(light.y), static_cast<float>(light.z)}, 60);
+  }
+  CHECK(lost == 0);
 }

@@ -8,6 +8,8 @@ namespace {
 constexpr int kPictureUnit = 0, kShadowUnit = 1;
 // A second shadow map is drawn where it is at least so much sharper.
 constexpr double kSharper = 2;
+// What is round may be thinner by this much in a shadow map, texels: the edges of shadows are soft over more than two.
+constexpr double kThinner = 0.5;
 
 // Features of a form of the mesh shader.
 constexpr int kTexture = 1, kHoles = 2, kBlend = 4, kFog = 8, kLamps = 16, kShadow = 32;
@@ -71,7 +73,9 @@ void MeshPass::draw_shadows(PictureState& state, const std::vector<MeshBox>& box
   shadow_program_.use();
   for (std::size_t i = 0; i < state.shadows.size(); ++i) {
     const ShadowFit& fit = state.shadows[i];
-    const Batches casters = make_casters(list, state.around, [&](const Ball& ball) { return fit.may_hold(ball); });
+    const Batches casters = make_casters(list, state.around, kThinner * fit.texel, [&](const Ball& ball) {
+      return fit.may_hold(ball) && fit.may_shade(ball, state.frustum);
+    });
     meshes_.upload(casters);
     map.use_map(static_cast<int>(i));
     shadow_program_.set("matrix", fit.matrix);

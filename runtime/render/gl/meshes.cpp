@@ -43,20 +43,20 @@ void GpuMeshes::upload(const Batches& batches) {
 }
 
 void GpuMeshes::draw(const DrawList& list, const Batch& batch) {
-  const GpuMesh& mesh = find(list, list.shapes[batch.shape]);
+  const GpuMesh& mesh = find(list, list.shapes[batch.shape], batch.coarseness);
   gl_.BindVertexArray(mesh.array);
   point_at_instances(batch.first);
   gl_.DrawElementsInstanced(GL_TRIANGLES, mesh.indices, GL_UNSIGNED_INT, nullptr, static_cast<GLsizei>(batch.count));
   gl_.BindVertexArray(0);
 }
 
-const GpuMeshes::GpuMesh& GpuMeshes::find(const DrawList& list, const DrawShape& shape) {
-  const auto [place, is_new] = meshes_.try_emplace(geometry_key(list, shape));
+const GpuMeshes::GpuMesh& GpuMeshes::find(const DrawList& list, const DrawShape& shape, int coarseness) {
+  const auto [place, is_new] = meshes_.try_emplace(geometry_key(list, shape, coarseness));
   GpuMesh& gpu = place->second;
   gpu.last_drawn = picture_;
   if (!is_new) return gpu;
 
-  const Mesh mesh = mesh_of(list, shape);
+  const Mesh mesh = mesh_of(list, shape, coarseness);
   gpu.indices = static_cast<GLsizei>(mesh.triangles.size());
   gl_.GenVertexArrays(1, &gpu.array);
   gl_.GenBuffers(1, &gpu.vertices);

@@ -31,7 +31,7 @@ class GpuMeshes {
     std::uint64_t last_drawn = 0;
   };
 
-  const GpuMesh& find(const DrawList& list, const DrawShape& shape);
+  const GpuMesh& find(const DrawList& list, const DrawShape& shape, int coarseness);
   void point_at_instances(std::uint32_t first);
   void remove(const GpuMesh& mesh);
 

@@ -8,8 +8,13 @@
 #include "render/gl/textures.h"
 #include "render/gl/ui_pass.h"
 
+#include <cmath>
+
 namespace tumble {
 namespace {
+
+// What is round may lie by this much within its true outline, pixels.
+constexpr double kFlatter = 0.25;
 
 // A program for a core profile draws nothing without a vertex array, even where it reads none.
 struct EmptyArray {
@@ -36,7 +41,8 @@ class GlRenderer final : public Renderer {
     PictureState state = look(list, static_cast<double>(width) / height);
     meshes_.draw_shadows(state, boxes_.find(list));
 
-    const Batches batches = make_batches(list, state.around, [&](const Ball& ball) { return state.frustum.may_see(ball); });
+    const double pixel = 2 * std::tan(list.field_of_view / 2) / height;  // rad, in the picture's middle; less elsewhere
+    const Batches batches = make_batches(list, state.around, kFlatter * pixel, [&](const Ball& ball) { return state.frustum.may_see(ball); });
     meshes_.upload(batches);
     begin_picture(width, height);
     meshes_.draw(state, textures_, batches.opaque, false);
