@@ -72,11 +72,14 @@ int measure_suite(const Measure& measure) {
   const fs::path program = own_program().parent_path() / "tumble_measure";
   if (!fs::exists(program))
     throw Error("measure: '" + program.string() + "' is missing; build it with: ninja -C " + shell_word(program.parent_path().string()) + " tumble_measure");
-  std::vector<std::string> words = {program.string(), "--revision", version()};
+  const std::string tree = source_tree("measure").string();
+  std::string commit;
+  run_program({"git", "-C", tree, "rev-parse", "--short", "HEAD"}, [&](const std::string& line) { commit = " " + line; });
+  std::vector<std::string> words = {program.string(), "--revision", version() + commit};
   words.insert(words.end(), measure.suite.begin(), measure.suite.end());
   if (!measure.csv.empty()) words.insert(words.end(), {"--csv", measure.csv});
   if (std::find(words.begin(), words.end(), "--baseline") == words.end())
-    words.insert(words.end(), {"--baseline", (source_tree("measure") / "tests/accuracy/baseline").string()});
+    words.insert(words.end(), {"--baseline", tree + "/tests/accuracy/baseline"});
   return run_program(words) == 0 ? 0 : 1;
 }
 
