@@ -3,6 +3,7 @@
 
 #include <sstream>
 
+#include "base/text.h"
 #include "engine/ui/focus.h"
 #include "engine/ui/layout.h"
 #include "engine/ui/ui.h"
@@ -47,6 +48,23 @@ UiBoxOptions box(double width, double height) {
 }
 
 }  // namespace
+
+TEST_CASE("ui: a slider's knob stays clear of its number", "[ui]") {
+  for (const double most : {1.0, 100.0, 12345.0}) {
+    Ui ui;
+
+    const auto out = drawn(ui, [&] {
+      UiSliderOptions options;
+      options.max = most;
+      ui.slider("Speed", most, options);
+    });
+
+    const DrawPanel knob = panels(out).back();
+    const DrawText& number = text_of(out, most == 1 ? "100 %" : number_text(most));
+    INFO(number.text);
+    CHECK(number.x - (knob.x + knob.width) >= 6);
+  }
+}
 
 TEST_CASE("ui: an anchor keeps its distance to its edge at any width of the screen", "[ui]") {
   constexpr double margin = 24;

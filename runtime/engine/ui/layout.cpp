@@ -11,11 +11,14 @@ namespace {
 
 constexpr double kMargin = 24;        // of the screen, around what is anchored
 constexpr double kTrack = 220;        // a slider's or field's own part, where nothing says how wide it is
-constexpr double kNumber = 2.6;       // of a slider's number, in line heights
+constexpr double kNumber = 2.8;       // of a slider's number, "100 %", in line heights
 
 double item_height(double size) { return 1.4 * size; }
 
 double text_width(const std::string& text, double size) { return text.empty() ? 0 : measure_text(text, size).width; }
+
+// Right of a slider's track: its number, clear of the knob, which stands out by 0.375 lines at the track's end.
+double number_room(const UiElement& slider) { return std::max(kNumber * slider.size, slider.value_width) + 0.65 * slider.size; }
 
 // What takes a share of a row, or all of a column's width, unless it says how wide it is.
 bool stretches(const UiElement& e) {
@@ -57,7 +60,7 @@ struct Layout {
       case UiKind::box: return 240;
       case UiKind::button: return label + 2 * inset;
       case UiKind::toggle: return label + inset + 1.4 * e.size + 2 * inset;
-      case UiKind::slider: return label + inset + kTrack + kNumber * e.size + 2 * inset;
+      case UiKind::slider: return label + inset + kTrack + number_room(e) + 2 * inset;
       case UiKind::list: return std::max(kTrack, widest_item(e) + 2 * inset + 2 * ui_list_padding);
       case UiKind::field: return label + inset + kTrack + 2 * inset;
       case UiKind::key: return label + 2 * inset + e.value_width + 2 * inset;
@@ -222,7 +225,7 @@ void lay_out_ui(UiElements& elements, double width) {
 }
 
 UiRect ui_slider_track(const UiElement& slider) {
-  const double inset = ui_inset(slider.size), number = kNumber * slider.size;
+  const double inset = ui_inset(slider.size), number = number_room(slider);
   const double label = slider.text.empty() ? 0 : slider.label_width + inset;
   const double room = slider.rect.width - 2 * inset - number;
   const double width = std::max(20.0, std::min(room - label, 0.6 * room));   // so that those of a menu stand in line
