@@ -84,7 +84,7 @@ struct DrawPanel {
   float x = 0, y = 0, width = 0, height = 0;
   Color color;
   float radius = 0;               // of its corners, ui units; at most half a side counts
-  std::string image;              // path in the game: drawn over the whole rectangle, tinted by the color; empty: none
+  std::string image{};            // path in the game: drawn over the whole rectangle, tinted by the color; empty: none
 };
 struct DrawUi {
   bool is_text = false;
