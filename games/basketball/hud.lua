@@ -31,9 +31,9 @@ local function draw_streak(match)
   local x = ui.width - 24
   ui.box { x = x - 170, y = 20, width = 170, height = 92, radius = 14, color = dark }
   ui.text("STREAK " .. match.streak, { x = x - 152, y = 28, size = 20, color = pale })
-  ui.text("×" .. match:times(), { x = x - 152, y = 46, size = 56, color = match:times() > 1 and gold or pale })
+  ui.text("×" .. match:times(), { x = x - 154, y = 46, size = 54, color = match:times() > 1 and gold or pale })
   for i = 1, match.most_times do      -- as many flames as points count times
-    ui.box { x = x - 78 + (i - 1) * 20, y = 66, width = 14, height = 28, radius = 7,
+    ui.box { x = x - 72 + (i - 1) * 19, y = 66, width = 13, height = 28, radius = 6.5,
       color = i <= match:times() and gold or pale:with_alpha(0.2) }
   end
 end
