@@ -321,6 +321,7 @@ void open_areas(lua_State* L, int globals) {
     if (!module->object) open_module(L, *module, globals);
   open_value_operators(L);
   open_children(L);
+  open_views(L);
   open_sound_groups(L);
   open_hit_collection(L);
 }

@@ -3,6 +3,7 @@
 
 #include "script/script.h"
 #include "script/types.h"
+#include "script/view.h"
 
 namespace tumble {
 
@@ -39,6 +40,7 @@ struct Reader {
     if (const Color* c = object_at<Color>(L, index, Tag::color)) return *c;
     if (const NodeId* n = object_at<NodeId>(L, index, Tag::node)) return Reference{Reference::Kind::node, n->index, n->generation};
     if (const JointRef* j = object_at<JointRef>(L, index, Tag::joint)) return Reference{Reference::Kind::joint, j->index, j->generation};
+    if (std::optional<Value> copy = described_value(L, index)) return *std::move(copy);
     fail(where, ": ", script_of(L).object_text(index), " cannot be stored here");
   }
 

@@ -11,7 +11,7 @@ namespace tumble {
 
 namespace {
 
-NodeId node_of_component(lua_State* L) { return static_cast<Object<ComponentData>*>(lua_touserdata(L, 1))->value.node; }
+NodeId node_of_component(lua_State* L, int index = 1) { return static_cast<Object<ComponentData>*>(lua_touserdata(L, index))->value.node; }
 
 // The component of a living node as a Value; the area's name is the component's.
 Value component_value(Script& script, NodeId node, const std::string& component) {
@@ -62,9 +62,9 @@ struct View {
   Reference root;
   std::string path;
 };
-View view_at(lua_State* L) {
-  const Reference root = static_cast<Object<ViewData>*>(lua_touserdata(L, 1))->value.root;
-  lua_getiuservalue(L, 1, 1);
+View view_at(lua_State* L, int index = 1) {
+  const Reference root = static_cast<Object<ViewData>*>(lua_touserdata(L, index))->value.root;
+  lua_getiuservalue(L, index, 1);
   View view{root, lua_tostring(L, -1)};
   lua_pop(L, 1);
   return view;
@@ -119,20 +119,32 @@ const Value* find_or_twin(const Value& map, const std::string& key, Value& made)
   return nullptr;
 }
 
-int index_view(lua_State* L) {
-  Script& script = script_of(L);
-  const View view = view_at(L);
+Value view_value(Script& script, const View& view) {
   std::vector<std::string> below;
-  Value value = root_value(script, view, below);
+  const Value value = root_value(script, view, below);
   const Value* at = &value;
   for (const std::string& step : below)
     if (!(at = descend(*at, step))) fail(view.path, " is no longer there");
+  return *at;
+}
+
+int index_view(lua_State* L) {
+  const View view = view_at(L);
+  const Value value = view_value(script_of(L), view);
   Value made;
   const std::string key = key_of(L, 2);
-  const Value* entry = find_or_twin(*at, key, made);
+  const Value* entry = find_or_twin(value, key, made);
   if (!entry) return lua_pushnil(L), 1;
   push_field(L, view.root, view.path + "." + key, *entry);
   return 1;
+}
+
+int length_of_view(lua_State* L) {
+  return at_border(L, [L] {
+    const Value value = view_value(script_of(L), view_at(L));
+    const List* list = value.get<List>();
+    return lua_pushinteger(L, list ? static_cast<lua_Integer>(list->size()) : 0), 1;
+  });
 }
 
 // Writes entry `key` of the value below, making maps on the way.
@@ -208,6 +220,13 @@ int newindex_value(lua_State* L) {
 
 }  // namespace
 
+std::optional<Value> described_value(lua_State* L, int index) {
+  const Tag tag = tag_at(L, index);
+  if (tag == Tag::view) return view_value(script_of(L), view_at(L, index));
+  if (tag >= Tag::body && tag <= Tag::animation) return component_value(script_of(L), node_of_component(L, index), tag_name(tag));
+  return std::nullopt;
+}
+
 int index_described(lua_State* L, const Area& area) {
   Script& script = script_of(L);
   const Tag tag = tag_at(L, 1);
@@ -246,6 +265,13 @@ int newindex_described(lua_State* L, const Area& area) {
     if (script.set_slot(1, key, 3)) return 0;
   }
   fail_unknown(L, area, script.object_text(1), key);
+}
+
+void open_views(lua_State* L) {
+  push_metatable(L, Tag::view);
+  lua_pushcfunction(L, length_of_view);
+  lua_setfield(L, -2, "__len");
+  lua_pop(L, 1);
 }
 
 }  // namespace tumble

@@ -213,3 +213,39 @@ test("a camera shows a point where its own ray passes", function()
   expect((off - way * off:dot(way)):length()):near(0, 1e-6)
   expect(select(3, eye.camera:to_screen(vec3(0, 1, 9)))):equals(false)
 end)
+
+test("a component that another node has is copied where it is assigned or given", function()
+  local old = scene.add { name = "old", mesh = { shape = "capsule", radius = 0.3, height = 2 }, material = { color = "red", glow = 1 },
+    body = { mass = 3, friction = 0.1, colliders = { { shape = "sphere", radius = 0.4, offset = vec3(0, 1, 0) } } },
+    light = { type = "point", range = 7 }, particles = { rate = 5, life = 2 } }
+  local new = scene.add { name = "new", position = vec3(5, 0, 0), mesh = old.mesh }
+  for _, part in ipairs { "material", "light", "body", "particles" } do new[part] = old[part] end
+  expect(new.mesh.radius):equals(0.3)
+  expect(new.material.glow):equals(1)
+  expect(new.light.range):equals(7)
+  expect(new.body.mass):equals(3)
+  expect(new.body.colliders[1].offset):equals(vec3(0, 1, 0))
+  expect(new.particles.rate):equals(5)
+
+  old.mesh.radius = 0.2
+  old.body.mass = 4
+  expect(new.mesh.radius):equals(0.3)
+  expect(new.body.mass):equals(3)
+end)
+
+test("a part of a component is copied too", function()
+  local old = scene.add { name = "old", body = { colliders = { { shape = "sphere", radius = 0.4 }, { shape = "box" } } } }
+  local new = scene.add { name = "new", position = vec3(5, 0, 0), body = { colliders = old.body.colliders } }
+  new.body.colliders[2] = old.body.colliders[1]
+  expect(#new.body.colliders):equals(2)
+  expect(new.body.colliders[2].shape):equals("sphere")
+end)
+
+test("a component of a node that is gone cannot be copied", function()
+  local old = scene.add { name = "old", mesh = "box" }
+  local new = scene.add { name = "new" }
+  local mesh = old.mesh
+  old:destroy()
+  wait(0)
+  expect(function() new.mesh = mesh end):raises("was destroyed")
+end)
