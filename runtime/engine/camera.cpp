@@ -80,6 +80,12 @@ NodeId Engine::camera() {
   return private_->own_camera;
 }
 
+// Beside a camera of the game's own it would only be a second node of that name.
+void Engine::drop_spare_camera() {
+  const NodeId own = private_->own_camera;
+  if (alive(own) && scene[own].children.empty() && find_camera() != own) remove_now(own);
+}
+
 void Engine::reframe_own_camera() {
   const NodeId own = private_->own_camera;
   if (!alive(own)) return;

@@ -211,6 +211,7 @@ class Engine {
   void clear_loaded();
   void forget_loaded();
   // camera.cpp
+  void drop_spare_camera();
   void reframe_own_camera();
 
   Pool<JointRecord> joints_;

@@ -12,6 +12,7 @@ NodeId Engine::load(const NodeDef& def, const std::string& name) {
   scene_name = name;
   private_->loaded_root = scene_root;
   private_->camera_checked = false;
+  drop_spare_camera();
   reframe_own_camera();
   return scene_root;
 }

@@ -29,6 +29,23 @@ TEST_CASE("load: a scene takes the place of the one before, declared nodes stay,
   CHECK(game.finish_removals().size() == 3);
 }
 
+TEST_CASE("load: the camera that was made where there was none goes when a scene brings its own", "[engine]") {
+  PlainGame game;
+  game.begin_tick();
+  REQUIRE(game.scene.find_all("camera").size() == 1);
+  NodeDef room = level("room");
+  room.children.push_back(PlainGame::read({{"name", "camera"}, {"camera", Map{}}}));
+
+  game.load(room, "room");
+
+  CHECK(game.scene.path(game.camera()) == "room/camera");
+  CHECK(game.scene.find_all("camera").size() == 1);
+
+  game.load(level("hall"), "hall");
+
+  CHECK(game.scene.path(game.camera()) == "camera");
+}
+
 TEST_CASE("load: the same scene again keeps its ids", "[engine]") {
   PlainGame game;
   game.load(level("one", "C1"), "one");
