@@ -229,12 +229,13 @@ bool Runtime::frame() {
   impl.game->poll_changes();
 
   const Clock::time_point now = Clock::now();
-  const double real = impl.first_frame ? 0 : std::chrono::duration<double>(now - impl.last_frame).count();
+  const bool begins = std::exchange(impl.first_frame, false);
+  const double real = begins ? 0 : std::chrono::duration<double>(now - impl.last_frame).count();
   impl.last_frame = now;
-  impl.first_frame = false;
   const double h = impl.game->tick_seconds();
   const ModuleSettings& settings = impl.game->script().module_settings();
-  impl.accumulator += real * (settings.paused ? 1 : settings.time_scale);
+  // A tick at once, lest the first picture, which takes the longest, show a game before its first draw_ui().
+  impl.accumulator += begins ? h : real * (settings.paused ? 1 : settings.time_scale);
   int ticks = 0;
   while (impl.accumulator >= h && !wants_quit()) {
     if (++ticks > kMostTicksAFrame) {  // too slow to keep up: the game slows down rather than freezing

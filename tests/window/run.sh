@@ -70,6 +70,7 @@ function on_press(name)
   if #name == 1 then keys = keys .. name end
   game.report.text, game.report.keys = text, keys
 end
+function frame() if time.tick == 0 then print("drawn before its first tick") end end
 LUA
 # xdotool lends letters that no key bears a key for a moment, and the X server now and then takes the loan back too early:
 # what arrives then is not what was typed, so it is typed again.
@@ -84,6 +85,7 @@ umlauts_once() {
   sync
   closed && has '"text": "n*Grüße, öln*"' && has '"keys": "n*greln*"'
 }
+begun() { ! grep -q 'before its first tick' said; }
 replayed() {
   local first
   first=$(sed -n 's/.*"hash": "\([0-9a-f]*\)".*/\1/p' report.json)
@@ -125,6 +127,7 @@ captured() {
 }
 
 claim 'text: letters that no key bears come as they were typed, beside the keys' umlauts
+claim 'start: the first picture is of a game that has begun' begun
 claim 'text: a replay of what was typed gives the same hash' replayed
 claim 'pointer: captured it goes on for ever; escape, a click and pause change hands' captured
 exit $failures
