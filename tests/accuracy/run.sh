@@ -2,25 +2,13 @@
 # What `tumble measure` promises, seen from outside: `tests/accuracy/run.sh build/release`. A line `ok` or `FAILED` for each
 # claim. The spoiled runs show that the suite can fail.
 set -uo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/../support/claims.sh"
 
 program=$(readlink -f "${1:?usage: run.sh BUILD_FOLDER}")/tumble
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
 
-failures=0
-# claim NAME COMMAND...: the command is true. What it says is shown only where it is not.
-claim() {
-  local name=$1
-  shift
-  if "$@" >said 2>&1; then
-    printf 'ok %s\n' "$name"
-  else
-    printf 'FAILED %s\n' "$name"
-    tail -n 40 said | sed 's/^/  /'
-    failures=1
-  fi
-}
 # Column NAME of the rows of our engine in a CSV.
 column() {
   awk -F, -v name="$2" 'NR == 1 { for (i = 1; i <= NF; i++) { if ($i == name) c = i; if ($i == "engine") e = i }; next } $e == "tumble" { print $c }' "$1"
@@ -60,14 +48,6 @@ report() {
   "$program" measure --case A01 --csv rows.csv --report out && [[ -s out/a01-cost.svg && -s out/a01-order.svg ]] &&
     grep -q 'id=A01' out/index.html && "$program" measure --rows rows.csv --report again && cmp out/index.html again/index.html
 }
-refused() {
-  local text=$1 status=0
-  shift
-  "$@" >refusal 2>&1 || status=$?
-  cat refusal
-  [[ $status == 1 ]] && grep -qF -- "$text" refusal
-}
-
 claim 'measure: every case of the suite is listed' complete
 claim 'measure: one case runs on both engines' both_engines
 for id in A01 A02 A28; do claim "measure: $id fails where its reference is wrong by 1 %" perturbed $id; done

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # What the program's verbs do, seen from outside: `tests/cli/run.sh build/release`. A line `ok` or `FAILED` for each claim.
 set -uo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/../support/claims.sh"
 
 program=$(readlink -f "${1:?usage: run.sh BUILD_FOLDER}")/tumble
 planted=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/planted
@@ -10,27 +11,6 @@ cd "$work"
 unset DISPLAY WAYLAND_DISPLAY
 export XDG_DATA_HOME=$work/data
 
-failures=0
-# claim NAME COMMAND...: the command is true. What it says is shown only where it is not.
-claim() {
-  local name=$1
-  shift
-  if "$@" >said 2>&1; then
-    printf 'ok %s\n' "$name"
-  else
-    printf 'FAILED %s\n' "$name"
-    sed 's/^/  /' said
-    failures=1
-  fi
-}
-# refused TEXT COMMAND...: the command fails with status 1 and says so.
-refused() {
-  local text=$1 status=0
-  shift
-  "$@" >refusal 2>&1 || status=$?
-  cat refusal
-  [[ $status == 1 ]] && grep -qF -- "$text" refusal
-}
 has() { grep -qE -- "$2" "$1"; }
 hash_of() { sed -n 's/.*"hash": "\([0-9a-f]\{16\}\)".*/\1/p' "$1"; }
 
