@@ -9,9 +9,10 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
 
-# Column NAME of the rows of our engine in a CSV.
+# Column NAME of the rows of our engine in a CSV, whose quoted fields may hold commas.
 column() {
-  awk -F, -v name="$2" 'NR == 1 { for (i = 1; i <= NF; i++) { if ($i == name) c = i; if ($i == "engine") e = i }; next } $e == "tumble" { print $c }' "$1"
+  sed -E ':again; s/("[^",]*),([^"]*")/\1;\2/; t again' "$1" |
+    awk -F, -v name="$2" 'NR == 1 { for (i = 1; i <= NF; i++) { if ($i == name) c = i; if ($i == "engine") e = i }; next } $e == "tumble" { print $c }'
 }
 
 # Each case of the suite is there: 32 of accuracy, 35 of stability, and the scenes that separate engines.
