@@ -81,7 +81,6 @@ struct Case {
   std::string reference;  // where the truth comes from: "F: h1 / h0 = e^2"
   std::string error;      // what the error is: "|h1/h0 - e^2|, worst of the phases"
   std::vector<Part> parts;
-  bool soak = false;      // only with --soak
   bool accuracy() const { return id[0] == 'A'; }
   bool stability() const { return id[0] == 'B'; }
 };

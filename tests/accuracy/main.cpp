@@ -1,6 +1,6 @@
 // The program behind `tumble measure`: runs cases, prints a table, writes rows, compares, reports.
-#include <algorithm>
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -34,7 +34,7 @@ Knobs parse_knobs(const std::string& text) {
 
 void print_list() {
   for (const Case& c : all_cases()) {
-    std::printf("%s  %s%s: %s\n     truth: %s\n     error: %s\n     parts:", c.id.c_str(), c.title.c_str(), c.soak ? " (with --soak)" : "", c.scene.c_str(), c.reference.c_str(), c.error.c_str());
+    std::printf("%s  %s: %s\n     truth: %s\n     error: %s\n     parts:", c.id.c_str(), c.title.c_str(), c.scene.c_str(), c.reference.c_str(), c.error.c_str());
     for (const Part& part : c.parts) std::printf(" [%s]", part.name.c_str());
     std::printf("\n");
   }

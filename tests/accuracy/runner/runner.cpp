@@ -53,7 +53,6 @@ class Runner {
           return list.empty() || std::find(list.begin(), list.end(), name) != list.end();
         };
         if (!wanted(options.cases, c.id) || !wanted(options.engines, engine.name)) continue;
-        if (c.soak && options.effort != Effort::soak && options.cases.empty()) continue;
         jobs_.push_back({&c, &engine, jobs_.size()});
       }
     rows_.resize(jobs_.size());
