@@ -107,6 +107,7 @@ int main(int count, char** arguments) {
   app.add_option("--perturb", words.options.perturb, "Spoils every reference by this part of itself, such as 0.01");
   app.add_flag("--instructions", words.options.instructions, "Counts instructions by valgrind too");
   app.add_option("--jobs", words.options.jobs, "Cases at once (2)");
+  app.add_option("--seconds", words.options.seconds, "CPU seconds for the settings of a case on an engine (1.2 quick, 40 full)");
   app.add_option("--rows", words.rows, "Takes the rows of these CSV files instead of running");
   app.add_option("--csv", words.csv, "Writes the rows there");
   app.add_option("--report", words.report, "Writes index.html and its plots into this folder");

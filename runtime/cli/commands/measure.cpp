@@ -33,6 +33,7 @@ constexpr SuiteOption kSuiteOptions[] = {
     {"--list", "", "Name the cases, their truth and their error"},
     {"--case", "ID", "Only these cases: A03 or A03,B01"},
     {"--engine", "NAME", "Only this engine: tumble or stock (Debian's Bullet as it comes)"},
+    {"--seconds", "S", "Processor time for the settings of a case on an engine (1.2 quick, 40 full)"},
     {"--default-only", "", "Each engine's default setting only, no sweep"},
     {"--knobs", "SxI", "Other substeps and iterations in place of our default: 4x1"},
     {"--perturb", "PART", "Spoil every reference by this part of itself: a case that passes must then fail"},

@@ -42,7 +42,9 @@ double now() {
 }
 
 // Wall time after which a worker is taken to hang.
-double patience(Effort effort) { return effort == Effort::quick ? 30 : effort == Effort::test ? 20 : budget(effort) * 4 + 60; }
+double patience(const Options& options) {
+  return options.effort == Effort::quick ? 30 : options.effort == Effort::test ? 20 : budget(options) * 4 + 60;
+}
 
 class Runner {
  public:
@@ -110,7 +112,7 @@ class Runner {
     poll(polls.data(), polls.size(), 500);
     for (std::size_t i = workers_.size(); i-- > 0;) {
       Worker& worker = workers_[i];
-      if (now() - worker.started > patience(options_.effort)) kill(worker.process, SIGKILL);
+      if (now() - worker.started > patience(options_)) kill(worker.process, SIGKILL);
       if (read_lines(worker)) continue;
       const Worker ended = worker;
       workers_.erase(workers_.begin() + static_cast<long>(i));
@@ -165,7 +167,7 @@ class Runner {
     row.goal = attempt.part->goal;
     row.error = worker.job.c->stability() ? 1e6 : 1;
     const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-    row.failed = signal == SIGKILL ? "hung: no result in " + std::to_string(static_cast<int>(patience(options_.effort))) + " s"
+    row.failed = signal == SIGKILL ? "hung: no result in " + std::to_string(static_cast<int>(patience(options_))) + " s"
                                    : "crashed: " + std::string(signal ? strsignal(signal) : "exit");
     rows_[worker.job.order].push_back(row);
     Job again = worker.job;

@@ -56,8 +56,9 @@ double relative_work(const Knobs& knobs) { return knobs.substeps * (1 + knobs.it
 
 }  // namespace
 
-double budget(Effort effort) {
-  switch (effort) {
+double budget(const Options& options) {
+  if (options.seconds > 0) return options.seconds;
+  switch (options.effort) {
     case Effort::test: return 0.3;
     case Effort::quick: return 1.2;
     case Effort::full: return 40;
@@ -126,7 +127,7 @@ void sweep(const Case& c, const EngineKind& engine, const Options& options, cons
   const std::vector<Try> tries = plan(c, engine, options);
   std::map<const Part*, double> default_ms;  // what a part took at the default setting
   std::map<const Part*, std::size_t> heavy;  // how many settings a heavy part has had
-  const double started = thread_ms(), whole = budget(options.effort) * 1e3;
+  const double started = thread_ms(), whole = budget(options) * 1e3;
   for (std::size_t i = first; i < tries.size(); ++i) {
     const Try& attempt = tries[i];
     if (!attempt.is_default) {

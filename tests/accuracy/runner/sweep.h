@@ -14,10 +14,11 @@ struct Options {
   bool sweep = true;                 // else the default setting only
   bool instructions = false;         // count them by callgrind
   int jobs = 2;
+  double seconds = 0;                // CPU time for one case on one engine; 0: as the effort has it
 };
 
 // CPU seconds for one case on one engine.
-double budget(Effort effort);
+double budget(const Options& options);
 
 struct Try {
   const Part* part = nullptr;
