@@ -156,7 +156,7 @@ std::string page(const std::vector<Row>& rows, const std::vector<Plot>& plots) {
   const Defaults all = defaults(rows);
   std::ostringstream out;
   out << kHead << "<h1>Speed against error</h1><p>Each case has a scene whose truth is known. Tumble and stock Bullet (Debian's 3.24 in single precision, with its own world and defaults) "
-      << "run it at many settings; what they get wrong is drawn against what they cost. Lower and further left is better. Version " << escaped(rows.empty() ? "" : rows.front().version)
+      << "run it at many settings; what they get wrong is drawn against what they cost. Lower and further left is better; a dot is one setting, the geometric mean of the case's parts. Version " << escaped(rows.empty() ? "" : rows.front().version)
       << "; <code>./tumble measure --full --report docs/accuracy</code> makes this page anew, and docs/guide/accuracy.md tells how to read it. "
       << "Green: within the goal; yellow: within ten times the goal (stability: twice); red: beyond; q: a shortened run.</p><nav>";
   for (const auto& [id, parts] : all) out << "<a href='#" << id << "'>" << id << "</a> ";

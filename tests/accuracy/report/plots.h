@@ -26,7 +26,7 @@ struct Plot {
 std::optional<Plot> cost_plot(const Case& c, const std::vector<Row>& rows);
 // Error against the length of a substep at ten iterations, with slopes 1 and 2. Nothing with fewer than three lengths.
 std::optional<Plot> order_plot(const Case& c, const std::vector<Row>& rows);
-// Energy and momenta over time of the case's first part on both engines at their defaults; runs them.
+// Energy or momenta over time on both engines at their defaults, of the cases where they are to stay; runs them.
 std::vector<Plot> trace_plots(const Case& c);
 
 // Throws Error with gnuplot's words where it fails or is missing.

@@ -1,12 +1,8 @@
 #include "accuracy/report/report.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <map>
-#include <sstream>
 
 #include "accuracy/report/page.h"
 #include "accuracy/report/plots.h"
@@ -15,13 +11,6 @@
 namespace fs = std::filesystem;
 
 namespace tumble::accuracy {
-
-namespace {
-
-// Whose energy and momenta over time are shown: bounce, free rotation, pendulum, gas.
-const char* const kTraced[] = {"A03", "A09", "A12", "A19"};
-
-}  // namespace
 
 void write_report(const std::string& folder, const std::vector<Row>& rows) {
   fs::create_directories(folder);
@@ -34,10 +23,8 @@ void write_report(const std::string& folder, const std::vector<Row>& rows) {
     if (const auto plot = cost_plot(c, rows)) plots.push_back(*plot);
     if (c.id[0] == 'A')
       if (const auto plot = order_plot(c, rows)) plots.push_back(*plot);
-    if (std::find(std::begin(kTraced), std::end(kTraced), c.id) != std::end(kTraced)) {
-      const std::vector<Plot> traces = trace_plots(c);
-      plots.insert(plots.end(), traces.begin(), traces.end());
-    }
+    const std::vector<Plot> traces = trace_plots(c);
+    plots.insert(plots.end(), traces.begin(), traces.end());
   }
   draw(folder, plots);
   std::ofstream out(folder + "/index.html");
