@@ -117,6 +117,8 @@ std::optional<Plot> cost_plot(const Case& c, const std::vector<Row>& rows) {
   if (chart.empty()) return {};
   if (c.stability()) {
     chart.element("1 with lines dt 2 lc rgb '#2e7d32' title 'the limit'");
+  } else if (!c.accuracy()) {
+    chart.element(tight(c.parts.front().goal) + " with lines dt 2 lc rgb '#2e7d32' title 'the goal'");
   } else {
     chart.element("0.01 with lines dt 2 lc rgb '#2e7d32' title '1 %'");
     chart.element("0.001 with lines dt 3 lc rgb '#2e7d32' title '0.1 %'");
