@@ -17,7 +17,8 @@ Simulation& Trial::scene(const SceneSettings& settings, const Knobs& knobs) {
   return *scenes_.back();
 }
 
-int Trial::phases() const {
+int Trial::phases() {
+  shortened_ = shortened_ || !full();
   switch (effort_) {
     case Effort::test: return 4;
     case Effort::quick: return 8;

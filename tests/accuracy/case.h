@@ -45,8 +45,8 @@ class Trial {
   const std::string& engine() const { return engine_.name; }
   Effort effort() const { return effort_; }
   bool full() const { return effort_ >= Effort::full; }
-  // How many shifted starts: 32 in the full run, 8 in the quick one, 4 in a test.
-  int phases() const;
+  // How many shifted starts: 32 in the full run, 8 in the quick one (which then says "quick"), 4 in a test.
+  int phases();
   // `seconds` in the full run, less in the quick one; the row then says "quick".
   double shortened(double seconds, double quick_seconds);
 

@@ -69,6 +69,24 @@ void add_instructions(std::vector<Row>& rows) {
         }
 }
 
+// Which of the parts that pass did a spoiled reference bring to fall? Those that it did not have no reference number, or
+// a goal wider than what was spoiled.
+void tell_perturbed(Options options, const std::string& version, const std::vector<Row>& spoiled) {
+  options.perturb = 0;
+  options.sweep = false;
+  const std::vector<Row> right = run_all(options, version);
+  int passing = 0, noticed = 0;
+  std::string blind;
+  for (const Row& row : right)
+    for (const Row& other : spoiled) {
+      if (other.key() != row.key() || !row.passed) continue;
+      ++passing;
+      noticed += !other.passed;
+      if (other.passed) blind += "\n  still passes: " + row.id + " " + row.part + ", " + row.engine;
+    }
+  std::printf("\nspoiled references: %d of %d parts that pass fail now%s\n", noticed, passing, blind.c_str());
+}
+
 int measure(Words& words) {
   if (words.list) return print_list(), 0;
   if (!words.count.empty()) return play_for_count(words.count.at(0), words.count.at(1), std::stoi(words.count.at(2)), parse_knobs(words.count.at(3)));
@@ -76,14 +94,16 @@ int measure(Words& words) {
   options.effort = words.soak ? Effort::soak : words.full ? Effort::full : words.test ? Effort::test : Effort::quick;
   options.sweep = !words.default_only;
   if (!words.knobs.empty()) options.knobs = parse_knobs(words.knobs);
+  const std::vector<Row> before = words.compare ? baseline(words.baseline) : std::vector<Row>();
   std::vector<Row> rows = words.rows.empty() ? run_all(options, words.version) : read_all(words.rows);
   if (options.instructions) add_instructions(rows);
   print_table(rows);
   if (!words.csv.empty()) write_csv(words.csv, rows);
   if (!words.report.empty()) write_report(words.report, rows);
+  if (options.perturb != 0) tell_perturbed(options, words.version, rows);
   if (!words.compare) return 0;
   int compared = 0;
-  const std::vector<Change> changes = compare(baseline(words.baseline), rows, compared);
+  const std::vector<Change> changes = compare(before, rows, compared);
   if (compared == 0) fail("measure: --compare: no row has a partner in '", words.baseline, "'; the baseline holds other cases, settings or efforts");
   return tell(changes, compared) ? 0 : 1;
 }

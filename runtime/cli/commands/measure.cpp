@@ -81,7 +81,7 @@ int measure_suite(const Measure& measure) {
   if (!measure.csv.empty()) words.insert(words.end(), {"--csv", measure.csv});
   if (std::find(words.begin(), words.end(), "--baseline") == words.end())
     words.insert(words.end(), {"--baseline", tree + "/tests/accuracy/baseline"});
-  return run_program(words) == 0 ? 0 : 1;
+  return run_program(words);
 }
 
 }  // namespace

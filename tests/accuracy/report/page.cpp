@@ -87,7 +87,7 @@ void write_heat(std::ostream& out, const std::vector<Row>& rows, const std::stri
     const std::pair<int, int> knobs{row.knobs.substeps, row.knobs.iterations};
     settings[knobs] = setting_name(row.knobs);
     const Row*& cell = cells[row.id][knobs];
-    const auto badness = [](const Row& r) { return r.passed ? 0 : std::string(color(r)) == "near" ? 1 : 2; };
+    const auto badness = [](const Row& r) { return std::pair(r.passed ? 0 : std::string(color(r)) == "near" ? 1 : 2, r.error / std::max(r.goal, 1e-12)); };
     if (!cell || badness(row) > badness(*cell)) cell = &row;
   }
   out << "<h3>" << engine << "</h3><div class=wide><table class=heat><tr><th>";
@@ -112,7 +112,7 @@ std::string fewest(const std::vector<Row>& rows, const Row& of) {
 }
 
 void write_matrix(std::ostream& out, const std::vector<Row>& rows, const Defaults& all) {
-  out << "<h2>Stability</h2><p class=small>Measured over allowed at the default setting; 1 is the limit. Beside it the fewest substeps at which it passes with ten iterations.</p>"
+  out << "<h2>Stability</h2><p class=small>Measured over allowed at the default setting; 1 is the limit. Beside it the fewest substeps at which it passes with ten iterations; - where none of those tried does.</p>"
          "<div class=wide><table><tr><th>case<th>part<th>Tumble<th>substeps<th>stock Bullet<th>substeps<th>what happened</tr>";
   for (const auto& [id, parts] : all) {
     if (id[0] != 'B') continue;
@@ -156,14 +156,16 @@ std::string page(const std::vector<Row>& rows, const std::vector<Plot>& plots) {
   const Defaults all = defaults(rows);
   std::ostringstream out;
   out << kHead << "<h1>Speed against error</h1><p>Each case has a scene whose truth is known. Tumble and stock Bullet (Debian's 3.24 in single precision, with its own world and defaults) "
-      << "run it at many settings; what they get wrong is drawn against what they cost. Lower and further left is better; a dot is one setting, the geometric mean of the case's parts. Version " << escaped(rows.empty() ? "" : rows.front().version)
+      << "run it at many settings; what they get wrong is drawn against what they cost. Lower and further left is better; a dot is one setting, the middle one of the case's parts. Version " << escaped(rows.empty() ? "" : rows.front().version)
       << "; <code>./tumble measure --full --report docs/accuracy</code> makes this page anew, and docs/guide/accuracy.md tells how to read it. "
-      << "Green: within the goal; yellow: within ten times the goal (stability: twice); red: beyond; q: a shortened run.</p><nav>";
+      << "Green: within the goal; yellow: within ten times the goal (stability: twice); red: beyond; q: a shortened run. "
+      << "An error below 1e-8 counts as 1e-8, one of an accuracy case above 1 as 1. In the plots thin lines join settings of equal iterations, the bold line is the best for its cost, "
+      << "the big dot is the default. Tables scroll sideways.</p><nav>";
   for (const auto& [id, parts] : all) out << "<a href='#" << id << "'>" << id << "</a> ";
   out << "</nav>";
   write_sums(out, rows);
   write_matrix(out, rows, all);
-  out << "<h2>Settings</h2><p class=small>Substeps x iterations; a cell is the worst part of the case.</p>";
+  out << "<h2>Settings</h2><p class=small>4x10 is four substeps of ten iterations. A cell is the part that is furthest beyond its goal (its name shows under the pointer); an empty one was not run.</p>";
   write_heat(out, rows, "tumble");
   write_heat(out, rows, "stock");
   const std::pair<char, const char*> groups[] = {{'A', "Accuracy, case by case"}, {'B', "Stability, case by case"}, {'S', "Scenes that separate engines"}};

@@ -83,6 +83,17 @@ const char* const kLogLog = "set logscale xy\nset format y '10^{%L}'\n";
 
 }  // namespace
 
+namespace {
+
+// Of two in the middle, their geometric mean.
+double middle(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t n = values.size();
+  return n % 2 ? values[n / 2] : std::sqrt(values[n / 2 - 1] * values[n / 2]);
+}
+
+}  // namespace
+
 std::vector<CasePoint> case_points(const std::vector<Row>& rows, const std::string& engine, const std::string& id) {
   std::set<std::string> parts;
   std::map<std::string, std::vector<const Row*>> by_setting;
@@ -94,17 +105,13 @@ std::vector<CasePoint> case_points(const std::vector<Row>& rows, const std::stri
   std::vector<CasePoint> out;
   for (const auto& [setting, list] : by_setting) {
     if (list.size() != parts.size()) continue;
-    CasePoint point{setting, list[0]->knobs, 0, 0.0};
-    double error = 0, cost = 0;
-    bool priced = true;
+    std::vector<double> errors, costs;
     for (const Row* row : list) {
-      error += std::log10(std::max(row->error, 1e-8));
-      priced = priced && row->cost && *row->cost > 0;
-      if (priced) cost += std::log10(*row->cost);
+      errors.push_back(row->error);
+      if (row->cost && *row->cost > 0) costs.push_back(*row->cost);
     }
-    point.error = std::pow(10, error / static_cast<double>(list.size()));
-    point.cost.reset();
-    if (priced) point.cost = std::pow(10, cost / static_cast<double>(list.size()));
+    CasePoint point{setting, list[0]->knobs, middle(errors), {}};
+    if (!costs.empty()) point.cost = middle(costs);
     out.push_back(point);
   }
   return out;

@@ -6,8 +6,8 @@
 
 namespace tumble::accuracy {
 
-// One setting of one engine in one case: the geometric mean over the case's parts, of those that ran at that setting
-// on every part that is not missing.
+// One setting of one engine in one case, where it ran on every part that is not missing: the middle one of the parts'
+// errors and costs. A mean would hide a bad part behind one that is right to the last digit.
 struct CasePoint {
   std::string setting;
   Knobs knobs;

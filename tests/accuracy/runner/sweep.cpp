@@ -31,7 +31,7 @@ std::vector<Knobs> all_knobs() {
 double clipped(const Case& c, const Outcome& outcome) {
   const bool may_exceed_one = !c.accuracy();  // measured over allowed
   if (!std::isfinite(outcome.error)) return may_exceed_one ? kLargest : 1;
-  if (may_exceed_one) return std::clamp(outcome.error, kSmallest, kLargest);
+  if (may_exceed_one) return std::clamp(outcome.error, outcome.failed.empty() ? kSmallest : 1.0, kLargest);
   return outcome.failed.empty() ? std::clamp(outcome.error, kSmallest, 1.0) : 1;
 }
 
