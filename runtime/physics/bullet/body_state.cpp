@@ -93,7 +93,8 @@ void build(BodyState& body, const Pose& pose) {
   body.rigid = std::make_unique<btRigidBody>(info);
   body.rigid->setUserPointer(&body);
   body.rigid->setUserIndex(0);
-  body.rigid->setFlags(body.rigid->getFlags() | BT_DISABLE_WORLD_GRAVITY);  // StepWorld applies forces itself
+  // Forces and the gyroscopic moment are ours (world_step.cpp).
+  body.rigid->setFlags((body.rigid->getFlags() & ~BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY) | BT_DISABLE_WORLD_GRAVITY);
   body.ghost.reset();
   if (!triggers->empty()) {
     body.ghost = std::make_unique<btCollisionObject>();

@@ -45,6 +45,7 @@ struct BodyState {
   Vec3 start_velocity, start_turning;  // before the step
   btTransform last_good;          // before the step, finite
   btVector3 free_velocity;        // before this substep's forces; see StepWorld
+  Quat rotation_before;           // of its centre, before it moves on in this substep
   std::uint64_t touched_substep = 0;   // the last one with a solid contact
   double extent = 0;              // distance of its outermost point from its centre, m
   double still_seconds = 0;       // how long it has hardly moved

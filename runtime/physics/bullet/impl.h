@@ -71,6 +71,7 @@ struct World::Impl {
   void begin_substep(double h, double done);
   void push(BodyState& body, double h);
   void end_substep(double h, double done);
+  void turn(BodyState& body, double h);
   void end_step(double seconds);
   void carry(BodyState& body, double done);
   void rest(BodyState& body, double seconds);

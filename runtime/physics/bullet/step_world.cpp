@@ -93,6 +93,9 @@ void StepWorld::substep(double h) {
   getSolverInfo().m_timeStep = h;
   bounce_.prepare(*getDispatcher(), h);
   solveConstraints(getSolverInfo());
+  // The solver has pushed overlaps apart by moving and turning bodies; from there on they turn our way.
+  for (int i = 0; i < m_nonStaticRigidBodies.size(); ++i)
+    state_of(m_nonStaticRigidBodies[i])->rotation_before = from_bullet(m_nonStaticRigidBodies[i]->getWorldTransform().getRotation());
   integrateTransforms(h);
   bounce_.apply();
 }

@@ -2,6 +2,7 @@
 #include <ctime>
 
 #include "physics/bullet/impl.h"
+#include "physics/dynamics/rotation.h"
 
 namespace tumble {
 
@@ -143,6 +144,7 @@ void World::Impl::end_substep(double h, double done) {
       at.getOrigin() += (body->free_velocity - body->rigid->getLinearVelocity()) * body->rigid->getLinearFactor() * (h / 2);
       body->rigid->setWorldTransform(at);
     }
+    turn(*body, h);
     if (body->ghost) {
       body->ghost->setWorldTransform(body->rigid->getWorldTransform());
       body->ghost->forceActivationState(ACTIVE_TAG);
@@ -150,6 +152,21 @@ void World::Impl::end_substep(double h, double done) {
   }
   for (JointPart* joint : live)
     if (joint->awake()) collect(*joint);
+}
+
+// In place of Bullet's turn, which cuts fast spins and damps the gyroscopic moment. A body that Bullet stopped on its way
+// because it was too fast for what it met keeps the pose in which it was stopped.
+void World::Impl::turn(BodyState& body, double h) {
+  btRigidBody& rigid = *body.rigid;
+  const double sweep = rigid.getCcdSquareMotionThreshold();
+  if (sweep > 0 && (rigid.getLinearVelocity() * h).length2() > sweep && rigid.getHitFraction() < 1) return;
+  Quat rotation = body.rotation_before;
+  Vec3 spin = from_bullet(rigid.getAngularVelocity());
+  const Vec3 factor = from_bullet(rigid.getAngularFactor());
+  if (factor == Vec3{1, 1, 1}) dynamics::turn(rotation, spin, body.mass.inertia, h);
+  else rotation = dynamics::turned_by(rotation, spin * h);  // a bearing takes the gyroscopic moment
+  rigid.setCenterOfMassTransform(btTransform(to_bullet(rotation), rigid.getWorldTransform().getOrigin()));
+  rigid.setAngularVelocity(to_bullet(spin));
 }
 
 void World::Impl::end_step(double seconds) {
