@@ -49,21 +49,13 @@ report() {
   "$program" measure --case A01 --csv rows.csv --report out && [[ -s out/a01-cost.svg && -s out/a01-order.svg ]] &&
     grep -q 'id=A01' out/index.html && "$program" measure --rows rows.csv --report again && cmp out/index.html again/index.html
 }
-# cannot TEXT COMMAND...: the command says so, with status 2: not the 1 of "something got worse".
-cannot() {
-  local text=$1 status=0
-  shift
-  "$@" >refusal 2>&1 || status=$?
-  cat refusal
-  [[ $status == 2 ]] && grep -qF -- "$text" refusal
-}
-
 claim 'measure: every case of the suite is listed' complete
 claim 'measure: one case runs on both engines' both_engines
 for id in A01 A02 A28; do claim "measure: $id fails where its reference is wrong by 1 %" perturbed $id; done
 claim 'measure: --compare notices a spoiled setting' spoiled B01
 claim 'measure: the report has its plots, and comes the same from the rows' report
-claim 'measure: an unknown case is refused' cannot "no case 'A99'" "$program" measure --case A99
-claim 'measure: --compare without a baseline is no verdict' cannot 'no baseline in' "$program" measure --case A01 --compare --baseline nowhere
+# Status 2 is not the 1 of "something got worse".
+claim 'measure: an unknown case is refused' ends_with 2 "no case 'A99'" "$program" measure --case A99
+claim 'measure: --compare without a baseline is no verdict' ends_with 2 'no baseline in' "$program" measure --case A01 --compare --baseline nowhere
 claim 'measure: options of the suite are refused with a game' refused 'belongs to the suite' "$program" measure nothing --quick
 exit $failures

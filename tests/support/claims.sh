@@ -13,11 +13,12 @@ claim() {
     failures=1
   fi
 }
-# refused TEXT COMMAND...: the command fails with status 1 and says so.
-refused() {
-  local text=$1 status=0
-  shift
+# ends_with STATUS TEXT COMMAND...: the command ends with that status and says so.
+ends_with() {
+  local expected=$1 text=$2 status=0
+  shift 2
   "$@" >refusal 2>&1 || status=$?
   cat refusal
-  [[ $status == 1 ]] && grep -qF -- "$text" refusal
+  [[ $status == "$expected" ]] && grep -qF -- "$text" refusal
 }
+refused() { ends_with 1 "$@"; }
