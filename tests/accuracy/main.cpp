@@ -95,7 +95,10 @@ int measure(Words& words) {
   options.sweep = !words.default_only;
   if (!words.knobs.empty()) options.knobs = parse_knobs(words.knobs);
   const std::vector<Row> before = words.compare ? baseline(words.baseline) : std::vector<Row>();
-  std::vector<Row> rows = words.rows.empty() ? run_all(options, words.version) : read_all(words.rows);
+  const auto keep = [&](const std::vector<Row>& so_far) {
+    if (!words.csv.empty()) write_csv(words.csv, so_far);
+  };
+  std::vector<Row> rows = words.rows.empty() ? run_all(options, words.version, keep) : read_all(words.rows);
   if (options.instructions) add_instructions(rows);
   print_table(rows);
   if (!words.csv.empty()) write_csv(words.csv, rows);

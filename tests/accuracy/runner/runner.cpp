@@ -48,7 +48,8 @@ double patience(const Options& options) {
 
 class Runner {
  public:
-  Runner(const Options& options, const std::string& version) : options_(options), version_(version), started_(now()) {
+  Runner(const Options& options, const std::string& version, const std::function<void(const std::vector<Row>&)>& so_far)
+      : options_(options), version_(version), so_far_(so_far), started_(now()) {
     for (const Case& c : all_cases())
       for (const EngineKind& engine : engines()) {
         const auto wanted = [](const std::vector<std::string>& list, const std::string& name) {
@@ -66,12 +67,21 @@ class Runner {
       wait();
     }
     progress(true);
+    return all_rows();
+  }
+
+ private:
+  std::vector<Row> all_rows() const {
     std::vector<Row> all;
     for (const auto& list : rows_) all.insert(all.end(), list.begin(), list.end());
     return all;
   }
 
- private:
+  void end_job() {
+    ++done_;
+    if (so_far_) so_far_(all_rows());
+  }
+
   void start(const Job& job, std::size_t first) {
     int ends[2];
     if (pipe(ends) != 0) fail("measure: no pipe: ", std::strerror(errno));
@@ -151,7 +161,7 @@ class Runner {
     waitpid(worker.process, &status, 0);
     if (worker.answered || !worker.begun_any) {
       if (status != 0 && !worker.begun_any) fail("measure: the worker of ", worker.job.c->id, " ended with status ", status, " before its first try");
-      ++done_;
+      end_job();
       return;
     }
     // It died within a try: that try has failed, the rest goes on in a new process.
@@ -172,7 +182,7 @@ class Runner {
     rows_[worker.job.order].push_back(row);
     Job again = worker.job;
     if (++again.restarts <= kMostRestarts) start(again, worker.begun + 1);
-    else ++done_;
+    else end_job();
   }
 
   void progress(bool end) {
@@ -193,6 +203,7 @@ class Runner {
 
   const Options& options_;
   std::string version_;
+  const std::function<void(const std::vector<Row>&)>& so_far_;
   double started_, told_ = 0;
   std::vector<Job> jobs_;
   std::vector<std::vector<Row>> rows_;
@@ -202,7 +213,7 @@ class Runner {
 
 }  // namespace
 
-std::vector<Row> run_all(const Options& options, const std::string& version) {
+std::vector<Row> run_all(const Options& options, const std::string& version, const std::function<void(const std::vector<Row>&)>& so_far) {
   for (const std::string& id : options.cases) {
     const bool known = std::any_of(all_cases().begin(), all_cases().end(), [&](const Case& c) { return c.id == id; });
     if (!known) fail("measure: no case '", id, "'; --list names them");
@@ -211,7 +222,7 @@ std::vector<Row> run_all(const Options& options, const std::string& version) {
     const bool known = std::any_of(engines().begin(), engines().end(), [&](const EngineKind& e) { return e.name == name; });
     if (!known) fail("measure: no engine '", name, "'; there are tumble and stock");
   }
-  return Runner(options, version).run();
+  return Runner(options, version, so_far).run();
 }
 
 }  // namespace tumble::accuracy
