@@ -1,6 +1,7 @@
 #include "physics/bullet/shapes.h"
 
 #include <algorithm>
+#include <sstream>
 
 #include "physics/solids.h"
 
@@ -64,6 +65,8 @@ void push_hull(ShapeParts& parts, const std::vector<Vec3>& points) {
   hull->setMargin(margin_of(std::min({half.x, half.y, half.z})));
   hull->initializePolyhedralFeatures();
   parts.planes = planes_of(faces);
+  parts.solid = pairs::make_polyhedron(faces);
+  hull->setUserPointer(&parts.solid);
   push(parts, std::move(hull));
 }
 
@@ -98,6 +101,42 @@ void push_mesh(ShapeParts& parts, const Shape& mesh) {
   push(parts, std::move(shape));
 }
 
+std::string written(Vec3 v) {
+  std::ostringstream text;
+  text << v.x << ", " << v.y << ", " << v.z;
+  return text.str();
+}
+
+// A script's shapes are checked when they are described; whoever else makes a body learns it here.
+void check_size(const Shape& shape) {
+  const std::string kind = enum_names(ShapeKind{})[static_cast<std::size_t>(shape.shape)];
+  const auto above_0 = [&](const char* what, double value) {
+    if (!(value > 0) || !std::isfinite(value)) fail("collider: the ", what, " of a ", kind, " must be above 0 (got ", value, "); give it in metres");
+  };
+  switch (shape.shape) {
+    case ShapeKind::box:
+    case ShapeKind::pyramid:
+      if (!(shape.size.x > 0 && shape.size.y > 0 && shape.size.z > 0) || !is_finite(shape.size))
+        fail("collider: the size of a ", kind, " must be above 0 along each axis (got ", written(shape.size), "); give it in metres");
+      break;
+    case ShapeKind::plane:
+      if (!(shape.size.x > 0 && shape.size.z > 0) || !is_finite(shape.size))
+        fail("collider: the size of a plane must be above 0 along x and z (got ", written(shape.size), "); give it in metres");
+      break;
+    case ShapeKind::torus: above_0("thickness", shape.thickness); [[fallthrough]];
+    case ShapeKind::sphere: above_0("radius", shape.radius); break;
+    case ShapeKind::capsule:
+    case ShapeKind::cylinder:
+    case ShapeKind::cone:
+      above_0("radius", shape.radius);
+      above_0("height", shape.height);
+      break;
+    case ShapeKind::hull:
+    case ShapeKind::mesh:
+    case ShapeKind::height_field: break;  // theirs is that of their points
+  }
+}
+
 double smallest_half(const Shape& shape) {
   switch (shape.shape) {
     case ShapeKind::plane: return plane_thickness(shape) / 2;
@@ -117,6 +156,7 @@ double smallest_half(const Shape& shape) {
 }  // namespace
 
 std::unique_ptr<ShapeParts> make_parts(const Shape& shape) {
+  check_size(shape);
   auto parts = std::make_unique<ShapeParts>();
   switch (shape.shape) {
     case ShapeKind::box: push(*parts, make_box(shape.size / 2)); break;

@@ -8,6 +8,7 @@
 
 #include "physics/body.h"
 #include "physics/bullet/convert.h"
+#include "physics/pairs/polyhedron.h"
 #include "physics/rays.h"
 
 namespace tumble {
@@ -26,6 +27,7 @@ struct ShapeParts {
   std::vector<Pose> poses;                                // of each in the shape's frame
   std::unique_ptr<btTriangleIndexVertexArray> triangles;  // of a mesh
   std::vector<Plane> planes;                              // of a hull; Bullet's own are off by 1e-4 and welded
+  pairs::Polyhedron solid;                                // of a hull, whose user pointer it is
   std::vector<btVector3> vertices;
   std::vector<int> indices;
 };
