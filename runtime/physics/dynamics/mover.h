@@ -1,0 +1,48 @@
+// A body as the solver sees it: where it is, how it moves, how hard it is to push. A few numbers, no more.
+#pragma once
+
+#include "physics/dynamics/symmetric.h"
+
+namespace tumble::dynamics {
+
+struct Mover {
+  Vec3 position;               // centre of mass, world, m
+  Quat rotation;               // from its principal axes to the world
+  Vec3 velocity, spin;         // world, m/s and rad/s
+  Vec3 inverse_mass;           // 1/kg along the world's axes; 0 where locked, and of what cannot be pushed
+  Symmetric inverse_inertia;   // world, 1/(kg m^2); see refresh()
+
+  Vec3 inertia;                // principal moments, kg m^2
+  Vec3 turn_factor{1, 1, 1};   // about the world's axes; 0 is locked
+  Vec3 acceleration;           // m/s^2, of all forces on it in this step
+  Vec3 torque;                 // N m
+  double damping = 0, angular_damping = 0;  // 1/s
+  double stiffness = 0;        // kg m^2 to be added across `stiff_axis`: see JointGroup
+  Vec3 stiff_axis;
+  Vec3 way, turn;              // a correction that is being summed up
+  Vec3 impulse, twist;
+  bool pushable = false;       // a dynamic body
+  int stirred = 0;             // the last round of the solver that changed its velocity much
+  bool bound = false;          // a joint holds it
+
+  // The inverse inertia at the rotation that it has now.
+  void refresh();
+  void push(Vec3 impulse, Vec3 twist) {
+    velocity += scaled(inverse_mass, impulse);
+    spin += inverse_inertia * twist;
+  }
+  // A correction of its place that changes neither momentum nor angular momentum.
+  void shift(Vec3 way, Vec3 turn);
+  Vec3 velocity_at(Vec3 arm) const { return velocity + cross(spin, arm); }
+};
+
+// A step of h is a kick by half of what the forces give, a drift with the velocity that then is, and the other half: the
+// drift is h times the mean velocity, so that free flight under a constant force and damping is exact at any h
+// (velocity Verlet; with the constraints solved before and after the drift, RATTLE: H. C. Andersen, J. Comput. Phys. 52,
+// 1983). Spin is damped by half before and by half after.
+void kick_before(Mover& mover, double h);
+void kick_after(Mover& mover, double h);
+// Moves and turns it, at constant angular momentum where no axis is locked.
+void drift(Mover& mover, double h);
+
+}  // namespace tumble::dynamics
