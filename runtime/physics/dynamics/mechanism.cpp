@@ -1,0 +1,344 @@
+#include "physics/dynamics/mechanism.h"
+
+#include <algorithm>
+
+#include "physics/dynamics/rotation.h"
+
+namespace tumble::dynamics {
+
+namespace {
+
+// A freedom that the held rows leave less than this part of what its two bodies alone would have is none.
+constexpr double kLeastMobility = 1e-6;
+constexpr int kMostSweeps = 12;       // over drives that meet
+constexpr double kSettled = 1e-9;     // part of the largest impulse at which sweeps end
+constexpr int kGapRounds = 2;
+// A repair of positions that costs more than this part of the motion's energy is no motion's, and gives no velocity.
+constexpr double kMostRepair = 2e-3, kMostRepairOfLoops = 2e-4;
+// Of what whipped so much remains to be reckoned with after a step.
+constexpr double kRemembered = 0.95;
+
+// More than this is not closed in one round, m or rad: after a jump the rows of before are far from those of then.
+constexpr double kMostGap = 0.2;
+// What a pull may be, over inertia / h^2, before a part of it is taken implicitly.
+constexpr double kOwnStiffness = 0.25;
+constexpr double kClosed = 1e-13;     // nothing to close
+
+bool holds(const JointRow& row) { return row.friction < 0; }
+
+double across(const JointRow& row, Vec3 shift_a, Vec3 turn_a, Vec3 shift_b, Vec3 turn_b) {
+  return dot(row.linear_a, shift_a) + dot(row.angular_a, turn_a) + dot(row.linear_b, shift_b) + dot(row.angular_b, turn_b);
+}
+
+bool locked(const FreeRow& free) { return free.freedom.min && free.freedom.max && *free.freedom.min == *free.freedom.max; }
+
+// The rows that hold: those of the kind, and freedoms whose limits are one.
+template <class F>
+void each_held(const Link& link, F f) {
+  for (const JointRow& row : link.rows.held)
+    if (holds(row)) f(row);
+  for (std::size_t i = 0; i < link.rows.free.size(); ++i) {
+    if (!locked(link.rows.free[i])) continue;
+    JointRow row = link.rows.free[i].row;
+    row.error = link.positions[i] - *link.rows.free[i].freedom.min;
+    f(row);
+  }
+}
+
+double energy(const Mover& mover) {
+  const double lightest = std::max({mover.inverse_mass.x, mover.inverse_mass.y, mover.inverse_mass.z});
+  const double mass = lightest > 0 ? 1 / lightest : 0;
+  const Vec3 spin = conjugate(mover.rotation) * mover.spin;
+  return (mass * dot(mover.velocity, mover.velocity) + dot(scaled(mover.inertia, spin), spin)) / 2;
+}
+
+}  // namespace
+
+Mechanism::Mechanism(std::vector<Link*> links) : links_(std::move(links)) {}
+
+void Mechanism::find_bodies() {
+  bodies_.clear();
+  for (const Link* link : links_)
+    for (Mover* mover : {link->a, link->b})
+      if (mover->pushable && std::find(bodies_.begin(), bodies_.end(), mover) == bodies_.end()) bodies_.push_back(mover);
+}
+
+double Mechanism::whip() const {
+  const bool pulled = std::any_of(bodies_.begin(), bodies_.end(), [](const Mover* mover) { return mover->stiffness > 0; });
+  return pulled ? 0 : whip_;
+}
+
+void Mechanism::begin_step(double h) {
+  whip_ *= kRemembered;
+  find_bodies();
+  for (Link* link : links_) refresh(*link);
+  std::vector<Drive> drives;
+  for (Link* link : links_)
+    for (Drive& drive : drives_of(*link)) drives.push_back(std::move(drive));
+  drives_ = std::move(drives);
+  gather();
+  if (factor_.size() != static_cast<int>(rows_.size())) {
+    find_pattern();
+    pull_.setZero(static_cast<Eigen::Index>(rows_.size()));
+  }
+  stiffen(h);
+  for (Drive& drive : drives_) refresh(drive, h);
+  drive_rows_.resize(drives_.size());
+  for (std::size_t i = 0; i < drives_.size(); ++i) couple(drives_[i]);
+  held_.setZero(static_cast<Eigen::Index>(rows_.size()));
+}
+
+Mechanism::Row Mechanism::with_response(Link& link, const JointRow& row) const {
+  return {&link, row, scaled(link.a->inverse_mass, row.linear_a), link.a->inverse_inertia * row.angular_a,
+          scaled(link.b->inverse_mass, row.linear_b), link.b->inverse_inertia * row.angular_b};
+}
+
+void Mechanism::gather() {
+  rows_.clear();
+  for (Link* link : links_) each_held(*link, [&](const JointRow& row) { rows_.push_back(with_response(*link, row)); });
+}
+
+// Two rows meet where they share a body that can be pushed.
+void Mechanism::find_pattern() {
+  pattern_.clear();
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    for (std::size_t j = 0; j <= i; ++j) {
+      const Link &x = *rows_[i].link, &y = *rows_[j].link;
+      const auto shares = [&](const Mover* m) { return m->pushable && (m == y.a || m == y.b); };
+      if (i == j || shares(x.a) || shares(x.b)) pattern_.emplace_back(static_cast<int>(i), static_cast<int>(j));
+    }
+  factor_.set_pattern(static_cast<int>(rows_.size()), pattern_);
+}
+
+void Mechanism::factor() {
+  values_.clear();
+  for (const auto& [i, j] : pattern_) {
+    const Row &x = rows_[static_cast<std::size_t>(i)], &y = rows_[static_cast<std::size_t>(j)];
+    const Link &on = *x.link, &by = *y.link;
+    double value = 0;
+    if (on.a == by.a) value += dot(x.row.linear_a, y.shift_a) + dot(x.row.angular_a, y.turn_a);
+    if (on.a == by.b) value += dot(x.row.linear_a, y.shift_b) + dot(x.row.angular_a, y.turn_b);
+    if (on.b == by.a) value += dot(x.row.linear_b, y.shift_a) + dot(x.row.angular_b, y.turn_a);
+    if (on.b == by.b) value += dot(x.row.linear_b, y.shift_b) + dot(x.row.angular_b, y.turn_b);
+    values_.push_back(value);
+  }
+  if (!rows_.empty()) factor_.factor(values_);
+}
+
+void Mechanism::couple(Drive& drive) {
+  if (!drive.active) return;
+  Row& own = drive_rows_[static_cast<std::size_t>(&drive - drives_.data())];
+  own = with_response(*drive.link, drive.row);
+  drive.mobility = across(drive.row, own.shift_a, own.turn_a, own.shift_b, own.turn_b);
+  drive.own_mobility = drive.mobility;
+  drive.helpers.resize(0);
+  if (rows_.empty()) return;
+  Eigen::VectorXd coupling = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rows_.size()));
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const Row& x = rows_[i];
+    const Link &on = *x.link, &by = *drive.link;
+    double& value = coupling[static_cast<Eigen::Index>(i)];
+    if (on.a == by.a) value += dot(x.row.linear_a, own.shift_a) + dot(x.row.angular_a, own.turn_a);
+    if (on.a == by.b) value += dot(x.row.linear_a, own.shift_b) + dot(x.row.angular_a, own.turn_b);
+    if (on.b == by.a) value += dot(x.row.linear_b, own.shift_a) + dot(x.row.angular_b, own.turn_a);
+    if (on.b == by.b) value += dot(x.row.linear_b, own.shift_b) + dot(x.row.angular_b, own.turn_b);
+  }
+  drive.helpers = -factor_.solve(coupling);
+  drive.mobility += coupling.dot(drive.helpers);
+}
+
+void Mechanism::give(const Row& row, double impulse) const {
+  row.link->a->velocity += row.shift_a * impulse;
+  row.link->a->spin += row.turn_a * impulse;
+  row.link->b->velocity += row.shift_b * impulse;
+  row.link->b->spin += row.turn_b * impulse;
+  note_impulse(*row.link, row.row, impulse);
+}
+
+void Mechanism::begin() {
+  aimed_ = false;
+  held_.setZero();
+  for (Drive& drive : drives_) {
+    drive.impulse = 0;
+    if (drive.active) drive.before = speed(*drive.link, drive.row);
+  }
+}
+
+void Mechanism::solve_held() {
+  if (rows_.empty()) return;
+  Eigen::VectorXd moving(static_cast<Eigen::Index>(rows_.size()));
+  for (std::size_t i = 0; i < rows_.size(); ++i) moving[static_cast<Eigen::Index>(i)] = speed(*rows_[i].link, rows_[i].row);
+  const Eigen::VectorXd impulses = factor_.solve(moving);
+  for (std::size_t i = 0; i < rows_.size(); ++i) give(rows_[i], -impulses[static_cast<Eigen::Index>(i)]);
+  held_ -= impulses;
+}
+
+double Mechanism::drive_once(Drive& drive) {
+  if (!drive.active || drive.own_mobility <= 0) return 0;
+  // Where what holds leaves no freedom, both pull as hard as the bodies alone would need, and once: a force that a joint
+  // may break under, but none without bounds.
+  const bool freedom = drive.mobility > kLeastMobility * drive.own_mobility;
+  if (!freedom && drive.impulse != 0) return 0;
+  const double mobility = freedom ? drive.mobility : drive.own_mobility;
+  const double wanted = drive.impulse + (drive.target - speed(*drive.link, drive.row)) / mobility;
+  const double total = std::clamp(wanted, drive.lower, drive.upper), change = total - drive.impulse;
+  if (change == 0) return 0;
+  drive.impulse = total;
+  give(drive_rows_[static_cast<std::size_t>(&drive - drives_.data())], change);
+  if (drive.helpers.size() == 0) return change;
+  for (std::size_t i = 0; i < rows_.size(); ++i) give(rows_[i], change * drive.helpers[static_cast<Eigen::Index>(i)]);
+  held_ += change * drive.helpers;
+  return change;
+}
+
+void Mechanism::solve_drives() {
+  const auto active = std::count_if(drives_.begin(), drives_.end(), [](const Drive& drive) { return drive.active; });
+  const int sweeps = active > 1 ? kMostSweeps : 1;
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    double changed = 0, largest = 0;
+    for (Drive& drive : drives_) {
+      changed = std::max(changed, std::abs(drive_once(drive)));
+      largest = std::max(largest, std::abs(drive.impulse));
+    }
+    if (changed <= kSettled * largest) break;
+  }
+}
+
+void Mechanism::solve_before(double h) {
+  solve_held();
+  if (!aimed_)
+    for (Drive& drive : drives_)
+      if (drive.active) aim_before(drive, speed(*drive.link, drive.row), h);
+  aimed_ = true;
+  solve_drives();
+}
+
+Eigen::VectorXd Mechanism::errors() {
+  Eigen::VectorXd errors(static_cast<Eigen::Index>(rows_.size()));
+  Eigen::Index at = 0;
+  for (Link* link : links_) {
+    refresh(*link);
+    each_held(*link, [&](const JointRow& row) { errors[at++] = row.error; });
+  }
+  const double largest = errors.lpNorm<Eigen::Infinity>();
+  if (largest > kMostGap) errors *= kMostGap / largest;
+  return errors;
+}
+
+// Where the rows hardly differ, as in a taut rope between two walls, closing a gap of nothing takes pushes without
+// bound. The more is added to the diagonal, the more of such a gap is left open (K. Levenberg, 1944).
+Eigen::VectorXd Mechanism::repair(const Eigen::VectorXd& errors, double most_cost, double& cost) {
+  Eigen::VectorXd shifts = factor_.solve(errors);
+  cost = errors.dot(shifts);
+  for (const double regular : {1e-6, 1e-4, 1e-2}) {
+    if (cost <= most_cost) break;
+    factor_.factor(values_, regular);
+    shifts = factor_.solve(errors);
+    cost = errors.dot(shifts);
+  }
+  return shifts;
+}
+
+// Newton's method with the matrix of before the drift: its error shrinks by about the turn in a substep each round.
+void Mechanism::close_gaps(double h) {
+  if (rows_.empty()) return;
+  for (int round = 0; round < kGapRounds; ++round) {
+    const Eigen::VectorXd gaps = errors();
+    if (gaps.lpNorm<Eigen::Infinity>() < kClosed) break;
+    double motion = 0, cost = 0;
+    for (const Mover* mover : bodies_) motion += energy(*mover);
+    // In loops rows say nearly the same, and repairs feed what they should not.
+    const double part = links_.size() > bodies_.size() ? kMostRepairOfLoops : kMostRepair, most = part * motion * 2 * h * h;
+    const Eigen::VectorXd shifts = repair(gaps, most, cost);
+    if (round == 0 && motion > 0) whip_ = std::max(whip_, std::min(cost / (2 * h * h * motion), kMostRepair) / (h * h));
+    move(shifts, cost <= most ? 1 / h : 0);
+  }
+}
+
+// Moves along the rows by -shifts, and gives them `rate` times as much velocity.
+void Mechanism::move(const Eigen::VectorXd& shifts, double rate) {
+  for (Mover* mover : bodies_) mover->way = mover->turn = mover->impulse = mover->twist = {};
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const Row& row = rows_[i];
+    const double shift = -shifts[static_cast<Eigen::Index>(i)];
+    const auto add = [shift](Mover& mover, Vec3 way, Vec3 turn, Vec3 linear, Vec3 angular) {
+      mover.way += way * shift;
+      mover.turn += turn * shift;
+      mover.impulse += linear * shift;
+      mover.twist += angular * shift;
+    };
+    add(*row.link->a, row.shift_a, row.turn_a, row.row.linear_a, row.row.angular_a);
+    add(*row.link->b, row.shift_b, row.turn_b, row.row.linear_b, row.row.angular_b);
+    if (rate > 0) note_impulse(*row.link, row.row, shift * rate);
+  }
+  for (Mover* mover : bodies_) {
+    mover->shift(mover->way, mover->turn);
+    if (rate > 0) mover->push(mover->impulse * rate, mover->twist * rate);
+  }
+  held_ -= shifts * rate;
+}
+
+// A link that is pulled at both ends turns back as a stiff spring does, and no explicit step survives one that swings
+// faster than 2 / h. What is above a quarter of that is taken implicitly: more inertia across the pull (geometric stiffness).
+void Mechanism::note_stiffness(double h) {
+  for (Mover* mover : bodies_) {
+    mover->stiffness = 0;
+    mover->stiff_axis = {};
+  }
+  const auto add = [h](Mover& mover, Vec3 linear, Vec3 anchor, double impulse) {
+    const Vec3 arm = anchor - mover.position;
+    mover.stiffness += h * impulse * dot(linear, arm);
+    if (dot(arm, arm) > dot(mover.stiff_axis, mover.stiff_axis)) mover.stiff_axis = arm;
+  };
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const Row& row = rows_[i];
+    const double impulse = pull_[static_cast<Eigen::Index>(i)];
+    const JointFrame now = frame(*row.link);
+    add(*row.link->a, row.row.linear_a, now.a.position, impulse);
+    add(*row.link->b, row.row.linear_b, now.b.position, impulse);
+  }
+  for (Mover* mover : bodies_) {
+    mover->stiff_axis = normalized(mover->stiff_axis);
+    const double own = std::max({mover->inertia.x, mover->inertia.y, mover->inertia.z}) * kOwnStiffness;
+    mover->stiffness = mover->stiff_axis == Vec3{} ? 0 : std::max(0.0, mover->stiffness - own);
+  }
+}
+
+void Mechanism::stiffen(double h) {
+  note_stiffness(h);
+  bool any = false;
+  for (Mover* mover : bodies_) {
+    if (mover->stiffness <= 0) continue;
+    mover->refresh();
+    any = true;
+  }
+  if (any) gather();
+  factor();
+}
+
+void Mechanism::turn_to_now(double h) {
+  for (Link* link : links_) refresh(*link);
+  pull_ = 2 * held_;  // the other half of the substep is to come
+  for (Mover* mover : bodies_) {
+    if (mover->stiffness == 0) continue;
+    mover->stiffness = 0;
+    mover->refresh();
+  }
+  gather();
+  stiffen(h);
+  for (Drive& drive : drives_) {
+    const bool before = drive.active;
+    refresh(drive, h);
+    drive.active |= before;
+    couple(drive);
+  }
+}
+
+void Mechanism::solve_after(double h) {
+  for (Drive& drive : drives_)
+    if (drive.active) aim_after(drive, h);
+  solve_held();
+  solve_drives();
+}
+
+}  // namespace tumble::dynamics

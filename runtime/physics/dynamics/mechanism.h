@@ -1,0 +1,73 @@
+// Joints that share bodies, solved together: the rows that hold are one system of equations, solved directly, so that a
+// chain of any length and any ratio of masses holds in one go; what drives and limits acts along freedoms that already
+// know the whole mechanism.
+//
+// Two projections a substep, as in RATTLE: before the drift, impulses along the old rows that bring the joints together
+// after it (SHAKE; J.-P. Ryckaert and others, J. Comput. Phys. 23, 1977), after it, impulses along the new ones that
+// leave no velocity across them. Both are symmetric in time, so that a pendulum keeps its energy.
+#pragma once
+
+#include "physics/dynamics/drive.h"
+#include "physics/dynamics/factor.h"
+
+namespace tumble::dynamics {
+
+class Mechanism {
+ public:
+  explicit Mechanism(std::vector<Link*> links);
+  const std::vector<Link*>& links() const { return links_; }
+  const std::vector<Mover*>& bodies() const { return bodies_; }  // that can be pushed
+  bool touched = false;  // a contact acts on one of its bodies
+
+  // How much energy it took to close gaps, of that of the motion, over h^2: what whips round wants smaller substeps. 0 where
+  // a heavy pull is taken implicitly: there a change of substeps is a change of inertia.
+  double whip() const;
+  // At the start of a step: descriptions may have changed, bodies may have jumped.
+  void begin_step(double h);
+  // Before the first kick of a substep.
+  void begin();
+  // Takes the velocities across the joints away, and nothing else.
+  void solve_held();
+  // Before the drift: as often as contacts need it. The first time in a substep, springs are aimed.
+  void solve_before(double h);
+  // After the drift.
+  void close_gaps(double h);
+  void turn_to_now(double h);
+  void solve_after(double h);
+
+ private:
+  struct Row {
+    Link* link = nullptr;
+    JointRow row;
+    Vec3 shift_a, turn_a, shift_b, turn_b;  // what an impulse of 1 does to both bodies
+  };
+  void find_bodies();
+  void gather();
+  void find_pattern();
+  void factor();
+  void note_stiffness(double h);
+  void stiffen(double h);
+  Row with_response(Link& link, const JointRow& row) const;
+  void couple(Drive& drive);
+  Eigen::VectorXd errors();
+  Eigen::VectorXd repair(const Eigen::VectorXd& errors, double most_cost, double& cost);
+  void move(const Eigen::VectorXd& shifts, double rate);
+  void solve_drives();
+  double drive_once(Drive& drive);
+  void give(const Row& row, double impulse) const;
+
+  std::vector<Link*> links_;
+  std::vector<Mover*> bodies_;   // that can be pushed, each once
+  std::vector<Row> rows_;
+  std::vector<Row> drive_rows_;  // one a drive
+  std::vector<Drive> drives_;
+  std::vector<std::pair<int, int>> pattern_;
+  std::vector<double> values_;
+  Eigen::VectorXd held_;         // impulses along the rows in this substep
+  Eigen::VectorXd pull_;         // of the whole of the last one
+  Factor factor_;
+  double whip_ = 0;
+  bool aimed_ = false;
+};
+
+}  // namespace tumble::dynamics
