@@ -21,8 +21,8 @@ namespace tumble {
 
 struct WorldSettings {
   Vec3 gravity{0, -9.81, 0};          // m/s^2
-  int substeps = 4;                   // of one step
-  int iterations = 10;                // of the solver in a substep
+  int substeps = 4;                   // of one step, at least: see docs/guide/dynamics.md
+  int iterations = 2;                 // rounds over the contacts in each half of a substep, at least
   bool sleeping = true;
   double default_friction = 0.5;      // of a body that gives none
   double default_restitution = 0.0;

@@ -5,8 +5,8 @@ namespace tumble {
 void describe(WorldSettings& settings, Schema& s) {
   s.name("physics", "The physical world.");
   s.add("gravity", settings.gravity, "m/s^2.");
-  s.add("substeps", settings.substeps, "Parts of one step; more is stiffer and dearer.").between(1, 64);
-  s.add("iterations", settings.iterations, "Rounds of the solver in each substep.").between(1, 1000);
+  s.add("substeps", settings.substeps, "Parts of one step, at least; what is heavily loaded takes more by itself.").between(1, 64);
+  s.add("iterations", settings.iterations, "Rounds over contacts in each half of a substep, at least; a blow takes more.").between(1, 1000);
   s.add("sleeping", settings.sleeping, "May resting bodies fall asleep?");
   s.add("default_friction", settings.default_friction, "Of a body that gives none.").at_least(0);
   s.add("default_restitution", settings.default_restitution, "Of a body that gives none.").at_least(0);

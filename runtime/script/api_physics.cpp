@@ -379,7 +379,7 @@ void rows_physics(Area& a) {
   a.prop<gravity, set_gravity>("gravity", "Acceleration of free fall, m/s^2.");
   a.prop<sleeping, set_sleeping>("sleeping", "May bodies at rest fall asleep?");
   a.prop<substeps, set_substeps>("substeps", "How many small steps make a tick.");
-  a.prop<iterations, set_iterations>("iterations", "How often the solver goes over all contacts and joints in a small step.");
+  a.prop<iterations, set_iterations>("iterations", "How often, at least, the solver goes over the contacts in each half of a substep; a blow takes more.");
   a.prop<default_friction, set_default_friction>("default_friction", "Friction of a body that gives none.");
   a.prop<default_restitution, set_default_restitution>("default_restitution", "Restitution of a body that gives none.");
   a.prop<debug_view, set_debug_view>("debug_view", "What F3 steps through: none, colliders, joints, boxes, contacts, rays, velocities, names, or physics: all but boxes and names.");

@@ -6,7 +6,7 @@
 ---@field gravity vec3 Acceleration of free fall, m/s^2.
 ---@field sleeping boolean May bodies at rest fall asleep?
 ---@field substeps integer How many small steps make a tick.
----@field iterations integer How often the solver goes over all contacts and joints in a small step.
+---@field iterations integer How often, at least, the solver goes over the contacts in each half of a substep; a blow takes more.
 ---@field default_friction number Friction of a body that gives none.
 ---@field default_restitution number Restitution of a body that gives none.
 ---@field debug_view string What F3 steps through: none, colliders, joints, boxes, contacts, rays, velocities, names, or physics: all but boxes and names.
@@ -91,8 +91,8 @@ function physics.stats() end
 --- The physical world.
 ---@class physics_options
 ---@field gravity? vec3 m/s^2.
----@field substeps? integer Parts of one step; more is stiffer and dearer.
----@field iterations? integer Rounds of the solver in each substep.
+---@field substeps? integer Parts of one step, at least; what is heavily loaded takes more by itself.
+---@field iterations? integer Rounds over contacts in each half of a substep, at least; a blow takes more.
 ---@field sleeping? boolean May resting bodies fall asleep?
 ---@field default_friction? number Of a body that gives none.
 ---@field default_restitution? number Of a body that gives none.

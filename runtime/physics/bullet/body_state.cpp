@@ -37,14 +37,6 @@ int flags_of(const BodyDef& def) {
   return flags;
 }
 
-void apply_continuous(BodyState& body) {
-  const double radius = inner_radius(body.def);
-  const bool on = body.dynamic() && body.def.continuous.value_or(true) && radius > 0;
-  // Swept once it moves half its inner radius in a substep; from the first if asked for.
-  body.rigid->setCcdMotionThreshold(!on ? 0 : body.def.continuous.has_value() ? 1e-3 * radius : 0.5 * radius);
-  body.rigid->setCcdSweptSphereRadius(on ? 0.8 * radius : 0);
-}
-
 }  // namespace
 
 Vec3 BodyState::velocity_at(Vec3 point) const {
@@ -73,7 +65,6 @@ void apply_numbers(BodyState& body) {
   rigid.setAngularFactor(to_bullet(angular_factor(body.def)));
   rigid.updateInertiaTensor();
   rigid.setCollisionFlags(flags_of(body.def));
-  apply_continuous(body);
   if (!body.dynamic()) return;
   rigid.setLinearVelocity(to_bullet(body.def.velocity) * rigid.getLinearFactor());
   rigid.setAngularVelocity(to_bullet(body.def.angular_velocity));

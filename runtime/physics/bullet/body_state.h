@@ -9,6 +9,9 @@
 
 namespace tumble {
 
+namespace dynamics {
+struct Mover;
+}
 struct JointPart;
 struct Pair;
 struct Materials;
@@ -44,11 +47,10 @@ struct BodyState {
   Vec3 force, torque;             // for the whole next step
   Vec3 start_velocity, start_turning;  // before the step
   btTransform last_good;          // before the step, finite
-  btVector3 free_velocity;        // before this substep's forces; see StepWorld
-  Quat rotation_before;           // of its centre, before it moves on in this substep
-  std::uint64_t touched_substep = 0;   // the last one with a solid contact
+  dynamics::Mover* mover = nullptr;    // during a step
   double extent = 0;              // distance of its outermost point from its centre, m
-  double still_seconds = 0;       // how long it has hardly moved
+  btTransform still_at;           // where it began to be still
+  double still_seconds = 0;       // how long it has hardly moved from there
   bool was_asleep = false;
   bool moving = false;            // kinematic: `path` holds for the next step
   Path path;

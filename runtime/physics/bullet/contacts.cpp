@@ -22,12 +22,6 @@ bool touches(const btPersistentManifold& manifold, bool trigger, bool already) {
   return false;
 }
 
-bool pushes(const btPersistentManifold& manifold) {
-  for (int i = 0; i < manifold.getNumContacts(); ++i)
-    if (manifold.getContactPoint(i).getAppliedImpulse() > 0) return true;
-  return false;
-}
-
 void add_point(ContactEvent& event, Vec3 position, double impulse) {
   for (ContactPoint& known : event.points)
     if (distance(known.point, position) < kSamePoint) {
@@ -110,18 +104,16 @@ void ContactBook::drop(Pair& pair) {
   pairs_.pop_back();
 }
 
-void ContactBook::observe(btDispatcher& dispatcher, std::uint64_t substep) {
-  for (int i = 0; i < dispatcher.getNumManifolds(); ++i) observe(*dispatcher.getManifoldByIndexInternal(i), substep);
+void ContactBook::observe(btDispatcher& dispatcher) {
+  for (int i = 0; i < dispatcher.getNumManifolds(); ++i) observe(*dispatcher.getManifoldByIndexInternal(i));
 }
 
-void ContactBook::observe(btPersistentManifold& manifold, std::uint64_t substep) {
+void ContactBook::observe(btPersistentManifold& manifold) {
   if (manifold.getNumContacts() == 0) return;
   const btCollisionObject *first = manifold.getBody0(), *second = manifold.getBody1();
   if (!first->isActive() && !second->isActive()) return;
   BodyState *a = state_of(first), *b = state_of(second);
   const bool trigger = is_ghost(first) || is_ghost(second);
-  if (!trigger && pushes(manifold)) a->touched_substep = b->touched_substep = substep;
-
   const bool swapped = a->serial > b->serial;
   if (swapped) std::swap(a, b);
   Pair* pair = find(*a, *b, trigger);

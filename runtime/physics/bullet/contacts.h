@@ -22,8 +22,8 @@ struct Pair {
 class ContactBook {
  public:
   void begin_step() { ++step_; }
-  // After each substep: what Bullet found and solved. Marks bodies that touch something solid.
-  void observe(btDispatcher& dispatcher, std::uint64_t substep);
+  // After a step: what was found and solved.
+  void observe(btDispatcher& dispatcher);
   void end_step(Events& events);
   // The body leaves or jumps: its pairs end now.
   void end_pairs(BodyState& body, Events& events);
@@ -34,7 +34,7 @@ class ContactBook {
   Pair* find(const BodyState& a, const BodyState& b, bool trigger);
   Pair& make(BodyState& a, BodyState& b, bool trigger);
   void drop(Pair& pair);
-  void observe(btPersistentManifold& manifold, std::uint64_t substep);
+  void observe(btPersistentManifold& manifold);
   void note(Pair& pair, btPersistentManifold& manifold, bool swapped);
 
   std::vector<std::unique_ptr<Pair>> pairs_;

@@ -5,6 +5,8 @@
 #include "physics/bullet/contacts.h"
 #include "physics/bullet/joint_part.h"
 #include "physics/bullet/materials.h"
+#include "physics/bullet/pair_configuration.h"
+#include "physics/bullet/solver.h"
 #include "physics/bullet/step_world.h"
 
 namespace tumble {
@@ -23,12 +25,13 @@ struct World::Impl {
   WorldSettings settings;
   Materials materials;
 
-  btDefaultCollisionConfiguration configuration;
-  btCollisionDispatcher dispatcher{&configuration};
+  PairConfiguration configuration;
+  PairDispatcher dispatcher{&configuration};
   btDbvtBroadphase broadphase;
-  btSequentialImpulseConstraintSolver solver;
+  btSequentialImpulseConstraintSolver unused;  // Bullet's world wants one
   PairFilter filter;
-  StepWorld bullet{dispatcher, broadphase, solver, configuration};
+  StepWorld bullet{dispatcher, broadphase, unused, configuration};
+  Solver solver;
   btRigidBody ground{btRigidBody::btRigidBodyConstructionInfo(0, nullptr, nullptr)};  // the world, as a joint's partner
 
   Pool<Body> bodies;
@@ -40,7 +43,6 @@ struct World::Impl {
   std::vector<BodyId> moved;
   ContactBook book;
   Events events;
-  std::uint64_t substeps_done = 0;
   double step_ms = 0;
 
   BodyState& body(BodyId id) { return *bodies[id].state; }
@@ -59,6 +61,7 @@ struct World::Impl {
   void wake(BodyState& body);
   void wake_around(BodyState& body);  // all whose boxes overlap its box
   void wake_touching(BodyState& body);
+  void wake_heap(BodyState& body);    // all that sleep on it, and on those
   void stir(BodyState& body);         // a kinematic body or its triggers: looked at in the next step
 
   // ---- joints (world_joints.cpp)
@@ -68,12 +71,9 @@ struct World::Impl {
   // ---- a step (world_step.cpp)
   void step(double seconds);
   void begin_step(double seconds);
-  void begin_substep(double h, double done);
-  void push(BodyState& body, double h);
-  void end_substep(double h, double done);
-  void turn(BodyState& body, double h);
   void end_step(double seconds);
-  void carry(BodyState& body, double done);
+  bool keeps_still(BodyState& body) const;
+  void lose_insane();
   void rest(BodyState& body, double seconds);
   void break_joints(double seconds);
   void quarantine(BodyState& body);

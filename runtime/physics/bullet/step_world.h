@@ -1,7 +1,9 @@
-// Bullet's world, stepped one substep at a time by us: forces, damping, sleep and kinematic paths are not Bullet's.
+// Bullet's collision world and islands. Motion is ours (solver.h): one pass here finds what may touch during a whole step.
 #pragma once
 
-#include "physics/bullet/bounce.h"
+#include <vector>
+
+#include "physics/bullet/convert.h"
 
 namespace tumble {
 
@@ -16,22 +18,36 @@ class PairFilter final : public btOverlapFilterCallback {
   bool needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const override;
 };
 
+// Manifolds keep points up to the distance that the pair that is looked at may close in a step.
+class PairDispatcher final : public btCollisionDispatcher {
+ public:
+  explicit PairDispatcher(btCollisionConfiguration* configuration);
+  btPersistentManifold* getNewManifold(const btCollisionObject* a, const btCollisionObject* b) override;
+
+  double seconds = 0;       // of the step that is to come
+  double fall = 0;          // m: how far gravity alone takes a body in it
+  bool triggers = false;    // are triggers looked at, or solids?
+  double margin = 0;        // of the pair that is looked at, m
+};
+
 class StepWorld final : public btDiscreteDynamicsWorld {
  public:
-  StepWorld(btDispatcher& dispatcher, btBroadphaseInterface& broadphase, btSequentialImpulseConstraintSolver& solver,
+  StepWorld(PairDispatcher& dispatcher, btBroadphaseInterface& broadphase, btSequentialImpulseConstraintSolver& solver,
             btCollisionConfiguration& configuration);
 
-  void substep(double h);
-  // After the contacts of a substep were read.
-  void end_substep() { bounce_.forget(); }
-  // Boxes of what may have moved; Bullet's own looks at everything.
+  // What may touch within the next `seconds`; then which islands sleep.
+  void collide(double seconds, Vec3 gravity);
+  // What is in triggers where everything is now.
+  void collide_triggers();
+  // Boxes of what may have moved, as far as it goes in the step to come; Bullet's own looks at everything.
   void updateAabbs() override;
   const btAlignedObjectArray<btRigidBody*>& movable() const { return m_nonStaticRigidBodies; }
 
   std::vector<btCollisionObject*> ghosts;  // that are in the world
 
  private:
-  Bounce bounce_;
+  void enlarge(btCollisionObject& object);
+  PairDispatcher& pairs_;
 };
 
 }  // namespace tumble

@@ -31,9 +31,6 @@ World::Impl::Impl(const WorldSettings& given) : settings(given) {
   filter.pairs = broadphase.getOverlappingPairCache();
   broadphase.getOverlappingPairCache()->setOverlapFilterCallback(&filter);
   bullet.setGravity({0, 0, 0});
-  bullet.getSolverInfo().m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS | SOLVER_ENABLE_FRICTION_DIRECTION_CACHING;
-  // Deeper overlaps than this are pushed apart without giving speed, m. At 0 towers lean; at Bullet's 0.04 a box hops.
-  bullet.getSolverInfo().m_splitImpulsePenetrationThreshold = -0.01;
   apply_settings();
 }
 
@@ -50,7 +47,6 @@ World::Impl::~Impl() {
 
 void World::Impl::apply_settings() {
   materials = {settings.default_friction, settings.default_restitution, settings.friction_combine, settings.restitution_combine};
-  bullet.getSolverInfo().m_numIterations = std::max(1, settings.iterations);
 }
 
 World::World(const WorldSettings& settings) : impl_(std::make_unique<Impl>(settings)) {}
@@ -147,6 +143,7 @@ void World::Impl::enter(BodyState& body) {
   }
   body.enabled = true;
   body.still_seconds = 0;
+  body.still_at = body.rigid->getWorldTransform();
   body.was_asleep = false;
   if (body.dynamic()) {
     dynamics.insert(std::upper_bound(dynamics.begin(), dynamics.end(), &body, older), &body);
@@ -206,6 +203,7 @@ void World::Impl::rebuild(BodyState& body, const Pose& pose) {
     if (joint->live) {
       bullet.removeConstraint(joint->constraint.get());
       joint->live = false;
+      solver.joints_changed();
       std::erase(live, joint);
     }
   const bool enabled = body.enabled;
@@ -265,11 +263,26 @@ void World::Impl::wake(BodyState& body) {
   body.rigid->forceActivationState(ACTIVE_TAG);
   body.rigid->setDeactivationTime(0);
   body.still_seconds = 0;
+  body.still_at = body.rigid->getWorldTransform();
 }
 
 void World::Impl::wake_touching(BodyState& body) {
   for (Pair* pair : body.pairs)
     if (!pair->trigger) wake(pair->a == &body ? *pair->b : *pair->a);
+}
+
+void World::Impl::wake_heap(BodyState& body) {
+  std::vector<BodyState*> heap = {&body};
+  while (!heap.empty()) {
+    const BodyState& next = *heap.back();
+    heap.pop_back();
+    for (const Pair* pair : next.pairs) {
+      BodyState& other = pair->a == &next ? *pair->b : *pair->a;
+      if (pair->trigger || !other.dynamic() || other.awake()) continue;
+      wake(other);
+      heap.push_back(&other);
+    }
+  }
 }
 
 void World::Impl::wake_around(BodyState& body) {

@@ -63,9 +63,10 @@ void World::configure(JointId id, const JointDef& def) {
   const bool moved = !(def.anchor == joint.def.anchor) || !(def.axis == joint.def.axis) || def.kind.index() != joint.def.kind.index();
   const bool filter = def.collide_connected != joint.def.collide_connected;
   joint.def = def;
+  world.solver.joints_changed();
   if (moved) {
     place(joint);
-    joint.positions.clear();
+    joint.link.positions.clear();
   }
   world.update_live(joint);
   if (joint.constraint) note_drives(joint);
@@ -82,6 +83,7 @@ void World::Impl::update_live(JointPart& joint) {
   const bool wanted = joint.def.enabled && !joint.broken && there(joint.a) && there(joint.b);
   if (wanted == joint.live) return;
   joint.live = wanted;
+  solver.joints_changed();
   if (wanted) {
     if (!joint.constraint) build(joint, ground);
     bullet.addConstraint(joint.constraint.get());

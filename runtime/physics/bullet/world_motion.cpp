@@ -35,6 +35,7 @@ void World::move(BodyId id, const Pose& pose) {
     return;
   }
   body.path.to = to;
+  if (!body.moving) impl_->wake_heap(body);
   body.moving = true;
   impl_->stir(body);
 }

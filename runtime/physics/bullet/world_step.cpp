@@ -2,15 +2,18 @@
 #include <ctime>
 
 #include "physics/bullet/impl.h"
-#include "physics/dynamics/rotation.h"
 
 namespace tumble {
 
 namespace {
 
-// Slower than this, its outermost point counted, for so long: it may sleep.
-constexpr double kStillSpeed = 0.05;    // m/s
+// A body of which no point has moved farther than this, or this part of its size, for so long may sleep. A pendulum
+// that turns back moves more; a speed alone would stop it there.
+constexpr double kStillWay = 2.5e-3, kStillPart = 0.01;  // m
 constexpr double kStillSeconds = 0.5;
+// A step longer than this is cut: what may touch is looked for anew. But a step of an hour is not worth an hour's work.
+constexpr double kLongestPass = 0.05;  // s
+constexpr int kMostPasses = 400;
 // Beyond these a state counts as lost: squares in Bullet would become infinite.
 constexpr double kFarthest = 1e12, kFastest = 1e12;
 
@@ -24,25 +27,19 @@ bool sane(const btVector3& v, double limit) {
   return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z()) && v.length2() < limit * limit;
 }
 
+// Forces that would make it faster than anything in a second, or that are none.
+bool driven(const BodyState& body) {
+  const auto small = [](Vec3 v) { return std::abs(v.x) < kFastest && std::abs(v.y) < kFastest && std::abs(v.z) < kFastest; };
+  const Vec3 i = body.mass.inertia;
+  const double least = std::min({i.x, i.y, i.z});
+  return small(body.force / body.mass.mass) && (small(body.torque) || small(body.torque / least));
+}
+
 bool sane(const BodyState& body) {
   const btQuaternion q = body.rigid->getWorldTransform().getRotation();
   return sane(body.rigid->getWorldTransform().getOrigin(), kFarthest) && sane(body.rigid->getLinearVelocity(), kFastest) &&
-         sane(body.rigid->getAngularVelocity(), kFastest) && std::isfinite(q.x() + q.y() + q.z() + q.w());
-}
-
-// v after h under a constant acceleration and damping k: exact.
-btVector3 after(const btVector3& v, const btVector3& acceleration, double k, double h) {
-  if (k <= 0) return v + acceleration * h;
-  return v * std::exp(-k * h) + acceleration * (-std::expm1(-k * h) / k);
-}
-
-// Along a kinematic path, at a part from 0 to 1 of it.
-btTransform along(const Path& path, double seconds) {
-  const btVector3 turn = path.turning * seconds;
-  const double angle = turn.length();
-  btQuaternion rotation = path.from.getRotation();
-  if (angle > 1e-15) rotation = btQuaternion(turn / angle, angle) * rotation;
-  return btTransform(rotation.normalized(), path.from.getOrigin() + path.velocity * seconds);
+         sane(body.rigid->getAngularVelocity(), kFastest) && driven(body) &&
+         std::isfinite(q.x() + q.y() + q.z() + q.w());
 }
 
 }  // namespace
@@ -53,15 +50,13 @@ void World::Impl::step(double seconds) {
   if (!(seconds > 0)) return;
   const double started = thread_ms();
   begin_step(seconds);
-  const int count = std::max(1, settings.substeps);
-  const double h = seconds / count;
-  for (int i = 0; i < count; ++i) {
-    begin_substep(h, i * h);
-    bullet.substep(h);
-    ++substeps_done;
-    book.observe(dispatcher, substeps_done);
-    bullet.end_substep();
-    end_substep(h, (i + 1) * h);
+  const int passes = std::clamp(static_cast<int>(std::ceil(seconds / kLongestPass)), 1, kMostPasses);
+  const double part = seconds / passes;
+  for (int pass = 0; pass < passes; ++pass) {
+    bullet.collide(part, settings.gravity);
+    solver.begin(settings, dynamics, carriers, live, dispatcher, part);
+    solver.run(part, std::max(1, settings.substeps), std::max(1, settings.iterations));
+    solver.end(part);
   }
   end_step(seconds);
   step_ms = thread_ms() - started;
@@ -69,6 +64,7 @@ void World::Impl::step(double seconds) {
 
 void World::Impl::begin_step(double seconds) {
   book.begin_step();
+  lose_insane();
   for (BodyState* body : dynamics) {
     body->start_velocity = from_bullet(body->rigid->getLinearVelocity());
     body->start_turning = from_bullet(body->rigid->getAngularVelocity());
@@ -93,88 +89,24 @@ void World::Impl::begin_step(double seconds) {
     body->start_velocity = from_bullet(path.velocity);
     body->start_turning = from_bullet(path.turning);
   }
-  for (JointPart* joint : live) joint->impulse = joint->twist = {};
 }
 
-void World::Impl::begin_substep(double h, double done) {
-  for (BodyState* body : carriers) carry(*body, done);
-  for (JointPart* joint : live) {
-    joint->seconds = h;
-    if (!joint->awake()) continue;
-    joint->feedback = {};
-    apply_springs(*joint);
-  }
-  std::vector<BodyState*> bad;
-  for (BodyState* body : dynamics) {
-    push(*body, h);
-    if (body->rigid->isActive() && !sane(*body)) bad.push_back(body);
-  }
-  for (BodyState* body : bad) quarantine(*body);
-}
-
-void World::Impl::push(BodyState& body, double h) {
-  btRigidBody& rigid = *body.rigid;
-  if (!rigid.isActive()) {
-    rigid.setLinearVelocity({0, 0, 0});
-    rigid.setAngularVelocity({0, 0, 0});
-    return;
-  }
-  body.free_velocity = rigid.getLinearVelocity();
-  const Vec3 pull = settings.gravity * body.def.gravity_factor + body.force / body.mass.mass;
-  rigid.setLinearVelocity(after(body.free_velocity, to_bullet(pull), body.def.damping, h) * rigid.getLinearFactor());
-  const btVector3 spin_up = rigid.getInvInertiaTensorWorld() * to_bullet(body.torque) * rigid.getAngularFactor();
-  btVector3 spin = after(rigid.getAngularVelocity(), spin_up, body.def.angular_damping, h);
-  for (int i = 0; i < 3; ++i)
-    if (rigid.getAngularFactor()[i] == 0) spin[i] = 0;
-  rigid.setAngularVelocity(spin);
-}
-
-void World::Impl::carry(BodyState& body, double done) {
-  if (!body.moving) return;
-  body.place(along(body.path, done));
-}
-
-void World::Impl::end_substep(double h, double done) {
-  for (BodyState* body : carriers) carry(*body, done);
-  for (BodyState* body : dynamics) {
-    if (!body->rigid->isActive()) continue;
-    // In free flight the way is that of the mean velocity; Bullet took the last one.
-    if (body->touched_substep != substeps_done && body->joints.empty()) {
-      btTransform at = body->rigid->getWorldTransform();
-      at.getOrigin() += (body->free_velocity - body->rigid->getLinearVelocity()) * body->rigid->getLinearFactor() * (h / 2);
-      body->rigid->setWorldTransform(at);
-    }
-    turn(*body, h);
-    if (body->ghost) {
-      body->ghost->setWorldTransform(body->rigid->getWorldTransform());
-      body->ghost->forceActivationState(ACTIVE_TAG);
-    }
-  }
-  for (JointPart* joint : live)
-    if (joint->awake()) collect(*joint);
-}
-
-// In place of Bullet's turn, which cuts fast spins and damps the gyroscopic moment. A body that Bullet stopped on its way
-// because it was too fast for what it met keeps the pose in which it was stopped.
-void World::Impl::turn(BodyState& body, double h) {
-  btRigidBody& rigid = *body.rigid;
-  const double sweep = rigid.getCcdSquareMotionThreshold();
-  if (sweep > 0 && (rigid.getLinearVelocity() * h).length2() > sweep && rigid.getHitFraction() < 1) return;
-  Quat rotation = body.rotation_before;
-  Vec3 spin = from_bullet(rigid.getAngularVelocity());
-  const Vec3 factor = from_bullet(rigid.getAngularFactor());
-  if (factor == Vec3{1, 1, 1}) dynamics::turn(rotation, spin, body.mass.inertia, h);
-  else rotation = dynamics::turned_by(rotation, spin * h);  // a bearing takes the gyroscopic moment
-  rigid.setCenterOfMassTransform(btTransform(to_bullet(rotation), rigid.getWorldTransform().getOrigin()));
-  rigid.setAngularVelocity(to_bullet(spin));
-}
-
-void World::Impl::end_step(double seconds) {
+// Non-finite or beyond all bounds: such a body does not come near others.
+void World::Impl::lose_insane() {
   std::vector<BodyState*> bad;
   for (BodyState* body : dynamics)
     if (body->rigid->isActive() && !sane(*body)) bad.push_back(body);
   for (BodyState* body : bad) quarantine(*body);
+}
 
+void World::Impl::end_step(double seconds) {
+  lose_insane();
+  for (BodyState* body : carriers)
+    if (body->moving) body->place(body->path.to);
+  for (BodyState* body : dynamics)
+    if (body->ghost && body->rigid->isActive()) body->ghost->forceActivationState(ACTIVE_TAG);
+  bullet.collide_triggers();
+  book.observe(dispatcher);
   book.end_step(events);
   break_joints(seconds);
   moved.clear();
@@ -182,7 +114,6 @@ void World::Impl::end_step(double seconds) {
   std::erase_if(carriers, [](BodyState* body) {
     // One more step after the last move, so that its new place is seen by those who sleep there.
     const bool keep = body->moving;
-    if (body->moving) body->place(body->path.to);
     body->moving = false;
     if (keep) return false;
     body->rigid->forceActivationState(ISLAND_SLEEPING);
@@ -198,25 +129,37 @@ void World::Impl::rest(BodyState& body, double seconds) {
   const bool asleep = !rigid.isActive();
   if (asleep != body.was_asleep) {
     body.was_asleep = asleep;
+    if (!asleep) {  // woken by another: it is given time
+      body.still_seconds = 0;
+      body.still_at = rigid.getWorldTransform();
+    }
     events.sleeps.push_back({body.id, asleep});
     if (body.ghost && asleep) body.ghost->forceActivationState(ISLAND_SLEEPING);
   }
   if (asleep) return;
   moved.push_back(body.id);
 
-  const double speed = rigid.getLinearVelocity().length() + rigid.getAngularVelocity().length() * body.extent;
-  bool still = settings.sleeping && body.def.can_sleep && speed < kStillSpeed;
+  bool still = settings.sleeping && body.def.can_sleep && keeps_still(body);
   for (const JointPart* joint : body.joints) still = still && !(joint->live && joint->has_motor);
   body.still_seconds = still ? body.still_seconds + seconds : 0;
   rigid.setActivationState(body.still_seconds >= kStillSeconds ? WANTS_DEACTIVATION : ACTIVE_TAG);
+}
+
+bool World::Impl::keeps_still(BodyState& body) const {
+  const btTransform &now = body.rigid->getWorldTransform(), &then = body.still_at;
+  const Quat turn = from_bullet(now.getRotation() * then.getRotation().inverse());
+  const double way = (now.getOrigin() - then.getOrigin()).length() + 2 * length(Vec3{turn.x, turn.y, turn.z}) * body.extent;
+  if (way <= std::min(kStillWay, kStillPart * body.extent)) return true;
+  body.still_at = now;
+  return false;
 }
 
 void World::Impl::break_joints(double seconds) {
   std::vector<JointPart*> broken;
   for (JointPart* joint : live) {
     if (!joint->awake()) continue;
-    joint->force = joint->impulse / seconds;
-    joint->torque = joint->twist / seconds;
+    joint->force = joint->link.impulse / seconds;
+    joint->torque = joint->link.twist / seconds;
     if (length(joint->force) > joint->def.break_force || length(joint->torque) > joint->def.break_torque) broken.push_back(joint);
   }
   for (JointPart* joint : broken) {

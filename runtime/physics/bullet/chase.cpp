@@ -1,0 +1,80 @@
+#include "physics/bullet/chase.h"
+
+#include <algorithm>
+
+#include "physics/bullet/convex_pair.h"
+
+namespace tumble {
+
+namespace {
+
+// From this part of the smaller one's size on a step's way is far.
+constexpr double kFar = 0.25;
+constexpr double kAhead = 2, kNear = 2e-3;  // of the way in a substep; m
+
+}  // namespace
+
+bool Chase::find_part(const BodyState& body, int part, int index, Part& out) {
+  const btCollisionShape* shape = body.rigid->getCollisionShape();
+  if (part >= 0) return false;
+  if (shape->isCompound()) {
+    if (index < 0 || index >= static_cast<int>(body.solids->pieces().size())) return false;
+    const Piece& piece = body.solids->pieces()[static_cast<std::size_t>(index)];
+    shape = piece.shape;
+    out.local = from_bullet(piece.local);
+  }
+  out.fixed = from_bullet(body.rigid->getWorldTransform());
+  out.corner = shape->isPolyhedral();
+  return convex_of(*shape, out.shape);
+}
+
+std::optional<Chase> Chase::of(const BodyState& a, const BodyState& b, const btManifoldPoint& point, double seconds) {
+  if (point.getDistance() <= 0) return {};
+  const double speed = (a.rigid->getLinearVelocity() - b.rigid->getLinearVelocity()).length() +
+                       a.rigid->getAngularVelocity().length() * a.extent + b.rigid->getAngularVelocity().length() * b.extent;
+  double size = INFINITY;
+  for (const BodyState* body : {&a, &b})
+    if (body->dynamic()) size = std::min(size, body->extent);
+  if (speed * seconds < kFar * size) return {};
+  Chase chase;
+  if (!find_part(a, point.m_partId0, point.m_index0, chase.a_) || !find_part(b, point.m_partId1, point.m_index1, chase.b_)) return {};
+  return chase;
+}
+
+Pose Chase::Part::pose(const dynamics::Mover& mover) const {
+  const bool moves = mover.pushable || !(mover.velocity == Vec3{}) || !(mover.spin == Vec3{});
+  return (moves ? Pose{mover.position, mover.rotation} : fixed) * local;
+}
+
+Vec3 Chase::Part::hub(const Pose& pose, Vec3 center, Vec3 arm) const {
+  if (corner) return arm;
+  const Vec3 middle = pose.position - center, axis = pose.rotation * Vec3{0, 1, 0};
+  return shape.kind == pairs::Convex::sphere ? middle : middle + axis * dot(axis, arm - middle);
+}
+
+void Chase::look(dynamics::Contact& contact, double h) {
+  dynamics::Mover &a = *contact.a, &b = *contact.b;
+  const Pose pose_a = a_.pose(a), pose_b = b_.pose(b);
+  const auto whirl = [](const dynamics::Mover& mover, const Pose& pose, const pairs::Convex& shape) {
+    return length(mover.spin) * (distance(pose.position, mover.position) * (mover.pushable ? 1 : 0) + 2 * pairs::size_of(shape));
+  };
+  const double speed = length(a.velocity - b.velocity) + whirl(a, pose_a, a_.shape) + whirl(b, pose_b, b_.shape);
+  pairs::Manifold found;
+  const bool any = pairs::collide(a_.shape, pose_a, b_.shape, pose_b, kAhead * speed * h + kNear, cache_, found);
+  contact.count = any ? found.count : 0;
+  if (!any) return;
+  contact.set_normal(found.normal);
+  for (int i = 0; i < found.count; ++i) {
+    dynamics::TouchPoint& point = contact.points[i];
+    point.restitution = contact.points[0].restitution;
+    point.arm_a = found.points[i].on_a - a.position;
+    point.arm_b = found.points[i].on_b - b.position;
+    point.corner_a = a_.corner;
+    point.corner_b = b_.corner;
+    point.hub_a = a_.hub(pose_a, a.position, point.arm_a);
+    point.hub_b = b_.hub(pose_b, b.position, point.arm_b);
+    point.separation = found.points[i].separation;
+  }
+}
+
+}  // namespace tumble

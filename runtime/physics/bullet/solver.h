@@ -1,0 +1,74 @@
+// A step of the world's dynamics: takes bodies, contacts and joints from Bullet's world into plain numbers, moves them
+// through the substeps, and writes them back.
+#pragma once
+
+#include <deque>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "physics/bullet/body_state.h"
+#include "physics/bullet/chase.h"
+#include "physics/bullet/joint_part.h"
+#include "physics/dynamics/contact.h"
+#include "physics/dynamics/mechanism.h"
+
+namespace tumble {
+
+struct WorldSettings;
+
+class Solver {
+ public:
+  // Joints came, went, or hold other bodies.
+  void joints_changed() { mechanisms_known_ = false; }
+
+  // After collision detection and sleep. `live` are the joints that hold.
+  void begin(const WorldSettings& settings, const std::vector<BodyState*>& dynamics, const std::vector<BodyState*>& carriers,
+             const std::vector<JointPart*>& live, btDispatcher& dispatcher, double seconds);
+  // Each island with as many substeps as it needs, `least` and more.
+  void run(double seconds, int least, int rounds);
+  void end(double seconds);
+
+ private:
+  struct Source {  // where a contact's points are kept between steps
+    btManifoldPoint* points[dynamics::Contact::kMostPoints] = {};
+    std::optional<Chase> chase;
+  };
+  // What is joined and what touches, apart from all else: it moves by itself.
+  struct Island {
+    std::vector<dynamics::Mover*> movers;
+    std::vector<dynamics::Contact*> contacts;
+    std::vector<std::pair<Chase*, dynamics::Contact*>> chases;
+    std::vector<dynamics::Mechanism*> mechanisms;
+    bool bouncy = false;
+  };
+  dynamics::Mover& add_mover(BodyState& body);
+  dynamics::Mover& mover_of(const BodyState* body);
+  void gather_bodies(const WorldSettings& settings, const std::vector<BodyState*>& dynamics, const std::vector<BodyState*>& carriers);
+  void gather_contacts(btDispatcher& dispatcher, double seconds);
+  void gather_contacts(btPersistentManifold& manifold, double seconds);
+  void add_point(dynamics::Contact& contact, Source& source, btPersistentManifold& manifold, btManifoldPoint& point);
+  void drop_seams();
+  void find_mechanisms(const std::vector<JointPart*>& live);
+  void wake_together();
+  void gather_mechanisms(const std::vector<JointPart*>& live);
+  void find_islands();
+  void separate_carriers();
+  int substeps_of(const Island& island, double seconds, int least) const;
+  static void substep(Island& island, double h, int rounds);
+  static void solve_in_rounds(Island& island, int least, double h, const dynamics::Softness* soft);
+  static void move(Island& island, double h);
+  void write_contact(const dynamics::Contact& contact, const Source& source) const;
+
+  std::deque<dynamics::Mover> movers_;
+  std::vector<BodyState*> bodies_;        // of each mover but the first, which is all that cannot move
+  std::vector<dynamics::Contact> contacts_;
+  std::vector<Source> sources_;
+  std::vector<std::vector<JointPart*>> groups_;  // that share bodies; a mechanism each
+  std::vector<std::unique_ptr<dynamics::Mechanism>> mechanisms_;
+  std::vector<dynamics::Mechanism*> awake_;
+  std::vector<Island> islands_;
+  bool mechanisms_known_ = false;
+};
+
+}  // namespace tumble
