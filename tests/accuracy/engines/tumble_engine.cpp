@@ -134,7 +134,7 @@ class TumbleSimulation final : public Simulation {
 std::unique_ptr<Simulation> make_tumble(const SceneSettings& settings, const Knobs& knobs) { return std::make_unique<TumbleSimulation>(settings, knobs); }
 
 const std::vector<EngineKind>& engines() {
-  static const std::vector<EngineKind> kinds = {{"tumble", {4, 10}, make_tumble}, {"stock", {1, 10}, make_stock}};
+  static const std::vector<EngineKind> kinds = {{"tumble", {4, 2}, make_tumble}, {"stock", {1, 10}, make_stock}};
   return kinds;
 }
 
