@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "physics/bullet/materials.h"
-#include "physics/dynamics/impact.h"
 #include "physics/world.h"
 
 namespace tumble {
@@ -15,21 +14,6 @@ using dynamics::Mechanism;
 using dynamics::Mover;
 using dynamics::TouchPoint;
 
-// A contact swings this many times in a substep, so that its stiffness grows with the number of substeps.
-constexpr double kContactFrequency = 0.25;
-constexpr double kContactDamping = 10;
-// At most so far, in radians, may a jointed gyroscope swing in a substep; and at most so many times the substeps.
-constexpr double kMostSwing = 0.6;
-constexpr int kWhipTimes = 8;
-constexpr double kMostWhip = 3e-4;  // of its energy of motion, what closing gaps costs a mechanism in a substep
-// Rounds go on while they change a speed by more than this, m/s, up to so many times what was asked for.
-constexpr double kLoose = 0.02;
-constexpr int kMostRounds = 40;
-constexpr int kMostTimes = 32;
-// A contact that bears so many times the weight of the lighter body takes twice the substeps, four times as much again
-// twice that (its softness goes with the square of a substep). And so many substeps times bodies an island may cost for it.
-constexpr double kLoad = 6, kGrain = 1.4e-3;  // of the weight; m, of the radius of gyration
-constexpr int kMostWork = 3000;
 // Points whose normals differ by more than 10 degrees do not share a patch.
 constexpr double kOneNormal = 0.985;
 // A body rests on what is nearer than this, m; a seam's points lie in its plane up to this, m, and its normal does not look
@@ -44,12 +28,6 @@ BodyState* pushed(const btCollisionObject* object) {
   return body->dynamic() && object->isActive() ? body : nullptr;
 }
 
-double nearest(const Contact& contact) {
-  double least = INFINITY;
-  for (int i = 0; i < contact.count; ++i) least = std::min(least, contact.points[i].separation);
-  return least;
-}
-
 // Where the ground is touched, and its normal.
 Vec3 ground_point(const Contact& contact, int i) {
   return contact.a->pushable ? contact.b->position + contact.points[i].arm_b : contact.a->position + contact.points[i].arm_a;
@@ -60,7 +38,7 @@ bool is_seam(const Contact& contact, const Contact& floor) {
   const Vec3 up = ground_normal(floor);
   const double along = dot(ground_normal(contact), up);
   if (along < kSeamSteepest || along > kSameNormal) return false;
-  if (nearest(floor) > kResting || nearest(contact) < nearest(floor)) return false;
+  if (floor.nearest() > kResting || contact.nearest() < floor.nearest()) return false;
   const Vec3 place = ground_point(floor, 0);
   for (int i = 0; i < contact.count; ++i)
     if (std::abs(dot(ground_point(contact, i) - place, up)) > kSeam) return false;
@@ -108,44 +86,6 @@ Vec3 middle(const Contact& contact) {
   Vec3 sum;
   for (int i = 0; i < contact.count; ++i) sum += contact.points[i].arm_a;
   return sum / contact.count;
-}
-
-// How fast a spinning body wavers about its principal axes, rad/s: for a spin w about axis 1 and moments I,
-// w sqrt((I1 - I2) (I1 - I3) / (I2 I3)).
-double nutation(const Mover& mover) {
-  const Vec3 spin = conjugate(mover.rotation) * mover.spin, i = mover.inertia;
-  if (!(i.x > 0 && i.y > 0 && i.z > 0)) return 0;
-  const auto about = [](double w, double own, double one, double other) {
-    return std::abs(w) * std::sqrt(std::abs((own - one) * (own - other)) / (one * other));
-  };
-  return about(spin.x, i.x, i.y, i.z) + about(spin.y, i.y, i.x, i.z) + about(spin.z, i.z, i.x, i.y);
-}
-
-double mass_of(const Mover& mover) { return reciprocal(std::max({mover.inverse_mass.x, mover.inverse_mass.y, mover.inverse_mass.z})); }
-
-// Where something heavy comes to lie on something light nothing presses yet: their masses tell what will.
-double first_load(const Contact& contact, double seconds) {
-  if (!contact.a->pushable || !contact.b->pushable || contact.pressing() > 0) return 0;
-  const Vec3 coming = contact.b->velocity - contact.a->velocity;
-  if (nearest(contact) > std::max(1e-3, dot(coming, contact.normal) * seconds)) return 0;
-  const double a = mass_of(*contact.a), b = mass_of(*contact.b);
-  const bool a_above = dot(contact.normal, contact.a->acceleration) < 0;
-  const double above = a_above ? a : b, below = a_above ? b : a;
-  return below > 0 ? above / below / kLoad : 0;
-}
-
-// What presses there, over the weight of the lighter of the bodies and over what may be: the contact gives way by 0.07 mm
-// times this at 4 substeps of 1/60 s, which is nothing to a brick and much to a grain. Impulses still are forces here.
-double load_on(const Contact& contact, double seconds) {
-  double load = first_load(contact, seconds);
-  for (const Mover* mover : {contact.a, contact.b}) {
-    const double pull = length(mover->acceleration), lightness = std::max({mover->inverse_mass.x, mover->inverse_mass.y, mover->inverse_mass.z});
-    if (!mover->pushable || !(pull > 0)) continue;
-    const Vec3 i = mover->inertia;
-    const double gyration = std::sqrt(std::max({i.x, i.y, i.z}) * lightness), most = std::min(kLoad, gyration / kGrain);
-    if (most > 0) load = std::max(load, contact.pressing() * lightness / pull / most);
-  }
-  return load;
 }
 
 }  // namespace
@@ -358,176 +298,18 @@ void Solver::begin(const WorldSettings& settings, const std::vector<BodyState*>&
   if (!live.empty()) gather_mechanisms(live);
   gather_contacts(dispatcher, seconds);
   drop_seams();
-  find_islands();
-  separate_carriers();
-}
-
-// ---- islands
-
-void Solver::find_islands() {
-  islands_.clear();
-  // Union by index: a mover's root is the first of its island.
-  std::map<const Mover*, std::size_t> index;
-  std::vector<std::size_t> parent;
-  for (const Mover& mover : movers_) {
-    if (!mover.pushable) continue;
-    index.emplace(&mover, parent.size());
-    parent.push_back(parent.size());
-  }
-  const auto root = [&parent](std::size_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
-  const auto unite = [&](const Mover* a, const Mover* b) {
-    if (!a->pushable || !b->pushable) return;
-    const std::size_t x = root(index[a]), y = root(index[b]);
-    parent[std::max(x, y)] = std::min(x, y);
-  };
-  for (const Contact& contact : contacts_) unite(contact.a, contact.b);
-  for (const Mechanism* mechanism : awake_)
-    for (const dynamics::Link* link : mechanism->links()) {
-      unite(link->a, link->b);
-      const dynamics::Link* first = mechanism->links().front();
-      unite(link->a->pushable ? link->a : link->b, first->a->pushable ? first->a : first->b);
-    }
-
-  std::vector<std::size_t> island_of(parent.size());
-  for (Mover& mover : movers_) {
-    if (!mover.pushable) continue;
-    const std::size_t i = index[&mover], at = root(i);
-    if (at == i) {
-      island_of[i] = islands_.size();
-      islands_.emplace_back();
-    }
-    islands_[island_of[at]].movers.push_back(&mover);
-  }
-  const auto island = [&](const Mover* a, const Mover* b) -> Island& { return islands_[island_of[root(index[a->pushable ? a : b])]]; };
-  for (Contact& contact : contacts_) {
-    Island& here = island(contact.a, contact.b);
-    here.contacts.push_back(&contact);
-    Source& source = sources_[static_cast<std::size_t>(&contact - contacts_.data())];
-    if (source.chase) here.chases.emplace_back(&*source.chase, &contact);
-    for (int i = 0; i < contact.count; ++i) here.bouncy |= contact.points[i].restitution > 0;
-  }
-  for (Mechanism* mechanism : awake_) {
-    const dynamics::Link* first = mechanism->links().front();
-    island(first->a, first->b).mechanisms.push_back(mechanism);
+  islands_ = dynamics::find_islands(movers_, contacts_, awake_);
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    Contact& contact = contacts_[i];
+    if (Chase* chase = sources_[i].chase ? &*sources_[i].chase : nullptr)
+      islands_[static_cast<std::size_t>(contact.island())].looks.emplace_back([chase, &contact](double h) { chase->look(contact, h); });
   }
 }
-
-// What moves and cannot be pushed goes its way in each island anew.
-void Solver::separate_carriers() {
-  for (Island& island : islands_) {
-    std::map<const Mover*, Mover*> own;
-    const auto take = [&](Mover*& mover) {
-      if (mover->pushable || (mover->velocity == Vec3{} && mover->spin == Vec3{})) return;
-      Mover*& copy = own[mover];
-      if (!copy) {
-        movers_.push_back(*mover);
-        copy = &movers_.back();
-        island.movers.push_back(copy);
-      }
-      mover = copy;
-    };
-    for (Contact* contact : island.contacts) {
-      take(contact->a);
-      take(contact->b);
-    }
-    for (Mechanism* mechanism : island.mechanisms)
-      for (dynamics::Link* link : mechanism->links()) {
-        take(link->a);
-        take(link->b);
-      }
-    bool joined = false;
-    for (const Contact* contact : island.contacts) joined |= contact->a->bound || contact->b->bound;
-    for (Mechanism* mechanism : island.mechanisms) mechanism->touched = joined;
-  }
-}
-
-// A gyroscope must not swing far in a substep, and what bears many times its own weight needs smaller ones; but a large
-// heap is not to cost many times as much for a few of its bodies.
-int Solver::substeps_of(const Island& island, double seconds, int least) const {
-  double fastest = 0, load = 0;
-  for (const Mover* mover : island.movers)
-    if (mover->bound && mover->pushable) fastest = std::max(fastest, nutation(*mover));
-  for (const Contact* contact : island.contacts) load = std::max(load, load_on(*contact, seconds));
-  double whip = 0;
-  for (const Mechanism* mechanism : island.mechanisms) whip = std::max(whip, mechanism->whip());
-  int times = 1;
-  const auto too_few = [&] {
-    const double h = seconds / (times * least);
-    return fastest * h > kMostSwing || load > times * times || (times < kWhipTimes && whip * h * h > kMostWhip);
-  };
-  while (times < kMostTimes && too_few()) times *= 2;
-  const auto bodies = static_cast<int>(island.movers.size());
-  while (times > 1 && times * least * bodies > kMostWork) times /= 2;
-  return times * least;
-}
-
-// ---- a step
 
 void Solver::run(double seconds, int least, int rounds) {
-  for (Island& island : islands_) {
-    const int count = substeps_of(island, seconds, least);
-    const double h = seconds / count;
-    for (Mechanism* mechanism : island.mechanisms) mechanism->begin_step(h);
-    for (Contact* contact : island.contacts) contact->scale(h);
-    for (int i = 0; i < count; ++i) substep(island, h, rounds);
-    for (Contact* contact : island.contacts) contact->scale(1 / h);
-  }
+  for (dynamics::Island& island : islands_) dynamics::run(island, seconds, least, rounds);
 }
 
-void Solver::substep(Island& island, double h, int rounds) {
-  const dynamics::Softness soft = dynamics::softness(kContactFrequency / h, kContactDamping, h);
-  for (Mechanism* mechanism : island.mechanisms) mechanism->begin();
-  for (const auto& [chase, contact] : island.chases) chase->look(*contact, h);
-  for (Contact* contact : island.contacts) contact->begin(h);
-  for (Mover* mover : island.movers)
-    if (mover->pushable) kick_before(*mover, h);
-  for (Contact* contact : island.contacts) contact->foresee(h);
-  if (island.bouncy) dynamics::bounce(island.contacts, island.mechanisms, h);
-  for (Contact* contact : island.contacts) contact->warm_start();
-  solve_in_rounds(island, rounds, h, &soft);
-  for (Mechanism* mechanism : island.mechanisms)
-    if (mechanism->touched) mechanism->solve_before(h);
-
-  move(island, h);
-
-  for (Contact* contact : island.contacts) contact->warm_start();
-  solve_in_rounds(island, rounds, h, nullptr);
-  for (Mechanism* mechanism : island.mechanisms)
-    if (mechanism->touched) mechanism->solve_after(h);
-  for (Contact* contact : island.contacts) contact->end();
-}
-
-// As often as asked, and on, where it still runs, while a blow goes through a stack.
-void Solver::solve_in_rounds(Island& island, int least, double h, const dynamics::Softness* soft) {
-  for (Mover* mover : island.movers) mover->stirred = -1;
-  for (int round = 0; round < kMostRounds * least; ++round) {
-    for (Mechanism* mechanism : island.mechanisms) {
-      if (soft) mechanism->solve_before(h);
-      else mechanism->solve_after(h);
-    }
-    bool any = false;
-    for (Contact* contact : island.contacts) {
-      const int last = std::max(contact->a->pushable ? contact->a->stirred : -1, contact->b->pushable ? contact->b->stirred : -1);
-      if (round >= least && last < round - 1 && !contact->a->bound && !contact->b->bound) continue;
-      if (contact->solve(h, soft) < kLoose) continue;
-      contact->a->stirred = contact->b->stirred = round;
-      any = true;
-    }
-    if (round + 1 >= least && !any) break;
-  }
-}
-
-void Solver::move(Island& island, double h) {
-  for (Mover* mover : island.movers) drift(*mover, h);
-  for (Mechanism* mechanism : island.mechanisms) mechanism->close_gaps(h);
-  for (Mechanism* mechanism : island.mechanisms) mechanism->turn_to_now(h);
-  for (Contact* contact : island.contacts) contact->drifted(h);
-  for (Mover* mover : island.movers)
-    if (mover->pushable) kick_after(*mover, h);
-}
 
 // ---- back
 

@@ -10,8 +10,7 @@
 #include "physics/bullet/body_state.h"
 #include "physics/bullet/chase.h"
 #include "physics/bullet/joint_part.h"
-#include "physics/dynamics/contact.h"
-#include "physics/dynamics/mechanism.h"
+#include "physics/dynamics/island.h"
 
 namespace tumble {
 
@@ -34,14 +33,6 @@ class Solver {
     btManifoldPoint* points[dynamics::Contact::kMostPoints] = {};
     std::optional<Chase> chase;
   };
-  // What is joined and what touches, apart from all else: it moves by itself.
-  struct Island {
-    std::vector<dynamics::Mover*> movers;
-    std::vector<dynamics::Contact*> contacts;
-    std::vector<std::pair<Chase*, dynamics::Contact*>> chases;
-    std::vector<dynamics::Mechanism*> mechanisms;
-    bool bouncy = false;
-  };
   dynamics::Mover& add_mover(BodyState& body);
   dynamics::Mover& mover_of(const BodyState* body);
   void gather_bodies(const WorldSettings& settings, const std::vector<BodyState*>& dynamics, const std::vector<BodyState*>& carriers);
@@ -52,12 +43,6 @@ class Solver {
   void find_mechanisms(const std::vector<JointPart*>& live);
   void wake_together();
   void gather_mechanisms(const std::vector<JointPart*>& live);
-  void find_islands();
-  void separate_carriers();
-  int substeps_of(const Island& island, double seconds, int least) const;
-  static void substep(Island& island, double h, int rounds);
-  static void solve_in_rounds(Island& island, int least, double h, const dynamics::Softness* soft);
-  static void move(Island& island, double h);
   void write_contact(const dynamics::Contact& contact, const Source& source) const;
 
   std::deque<dynamics::Mover> movers_;
@@ -67,7 +52,7 @@ class Solver {
   std::vector<std::vector<JointPart*>> groups_;  // that share bodies; a mechanism each
   std::vector<std::unique_ptr<dynamics::Mechanism>> mechanisms_;
   std::vector<dynamics::Mechanism*> awake_;
-  std::vector<Island> islands_;
+  std::vector<dynamics::Island> islands_;
   bool mechanisms_known_ = false;
 };
 

@@ -82,6 +82,8 @@ struct Contact {
   void end();
 
   double pressing() const;   // N s, all points
+  double nearest() const;    // m, of the points' separations
+  int island() const { return a->pushable ? a->island : b->island; }
 
  private:
   double closing(const TouchPoint& point) const;

@@ -22,6 +22,7 @@ struct Mover {
   Vec3 way, turn;              // a correction that is being summed up
   Vec3 impulse, twist;
   bool pushable = false;       // a dynamic body
+  int island = -1;             // of what can be pushed
   int stirred = 0;             // the last round of the solver that changed its velocity much
   bool bound = false;          // a joint holds it
 

@@ -1,0 +1,131 @@
+// The friction of a contact.
+#include <algorithm>
+
+#include "physics/dynamics/contact.h"
+
+namespace tumble::dynamics {
+
+namespace {
+
+// A square that presses evenly resists twist by 0.7652 of its half side (the mean distance of its points from its
+// centre), four corners alone by 1.4142 of it.
+constexpr double kEvenPressure = 0.765196 / 1.414214;
+// So many times what friction can do would bring it to rest: it slides. And from what part of one motion the other counts.
+constexpr double kFarFromRest = 6, kBoth = 0.05;
+// Gauss's places and weights for a mean from 0 to 1.
+constexpr int kGrid = 4;
+constexpr double kPlaces[kGrid] = {0.0694318442, 0.3300094782, 0.6699905218, 0.9305681558};
+constexpr double kWeights[kGrid] = {0.1739274226, 0.3260725774, 0.3260725774, 0.1739274226};
+
+}  // namespace
+
+// One friction for all points, at the middle of what presses: two tangents and the twist, together in one ellipsoid. A
+// friction at each point would let a box that slides turn as on four nails.
+void Contact::place_friction() {
+  placed_ = true;
+  double whole = 0, weights[kMostPoints];
+  for (int i = 0; i < count; ++i) whole += points[i].last;
+  for (int i = 0; i < count; ++i) weights[i] = whole > 0 ? points[i].last / whole : 1.0 / count;
+  Vec3 place;  // one for both, or friction across a gap would turn them
+  for (int i = 0; i < count; ++i) place += (a->position + points[i].arm_a + b->position + points[i].arm_b) * (weights[i] / 2);
+  arm_a_ = place - a->position;
+  arm_b_ = place - b->position;
+  // What rides on a turning carrier goes round with it: its way in a substep is that of the middle of it, or it would
+  // spiral outwards.
+  if (!b->pushable && !(b->spin == Vec3{})) arm_b_ += (a->velocity_at(points[0].hub_a) - b->velocity) * ahead_;
+  if (!a->pushable && !(a->spin == Vec3{})) arm_a_ += (b->velocity_at(points[0].hub_b) - a->velocity) * ahead_;
+  Vec3 middle;
+  for (int i = 0; i < count; ++i) middle += points[i].arm_a * weights[i];
+  double spread = 0;
+  for (int i = 0; i < count; ++i) spread += weights[i] * length(points[i].arm_a - middle);
+  lever_ = kEvenPressure * spread;
+
+  const Vec3 linear[3] = {tangent_1, tangent_2, {}};
+  const Vec3 angular_a[3] = {cross(arm_a_, tangent_1), cross(arm_a_, tangent_2), normal * lever_};
+  const Vec3 angular_b[3] = {cross(arm_b_, tangent_1), cross(arm_b_, tangent_2), normal * lever_};
+  const auto speed = [&](int i, int j) {
+    return dot(scaled(a->inverse_mass + b->inverse_mass, linear[i]), linear[j]) + dot(a->inverse_inertia * angular_a[i], angular_a[j]) +
+           dot(b->inverse_inertia * angular_b[i], angular_b[j]);
+  };
+  slip_ = {speed(0, 0), speed(1, 1), speed(2, 2), speed(0, 1), speed(0, 2), speed(1, 2)};
+  if (slip_.zz < 1e-9 * std::max(slip_.xx, slip_.yy)) {  // a single point, or no way to twist
+    lever_ = 0;
+    slip_.xz = slip_.yz = 0;
+    slip_.zz = std::max(slip_.xx, slip_.yy);
+  }
+  stop_ = inverse(slip_);
+  stiffest_ = std::max({slip_.xx + std::abs(slip_.xy) + std::abs(slip_.xz), slip_.yy + std::abs(slip_.xy) + std::abs(slip_.yz),
+                        slip_.zz + std::abs(slip_.xz) + std::abs(slip_.yz)});
+}
+
+Vec3 Contact::slip() const {
+  const Vec3 v = a->velocity_at(arm_a_) - b->velocity_at(arm_b_) - belt;
+  return {dot(v, tangent_1), dot(v, tangent_2), lever_ * dot(normal, a->spin - b->spin)};
+}
+
+void Contact::drag(Vec3 change) {
+  grip += change;
+  const Vec3 along = tangent_1 * change.x + tangent_2 * change.y, about = normal * change.z;
+  a->push(along, cross(arm_a_, along) + about);
+  b->push(-along, -cross(arm_b_, along) - about);
+}
+
+// The friction f of all within mu N that takes most power from the slip s: f = project(f - s / L) for any L above the
+// largest eigenvalue (projected gradient). Where sticking is within reach, at once.
+void Contact::solve_friction() {
+  const double most = friction * pressing();
+  if (most <= 0 && grip == Vec3{}) return;
+  if (!placed_) place_friction();
+  const auto within = [most](Vec3 f) {
+    const double size = length(f);
+    return size > most ? f * (most / size) : f;
+  };
+  const Vec3 now{grip.x, grip.y, lever_ > 0 ? grip.z / lever_ : 0}, moving = slip();
+  Vec3 next = now - stop_ * moving;
+  const double wanted = length(next);
+  if (wanted > most) {
+    next = within(next);
+    for (int round = 0; round < 2 && stiffest_ > 0; ++round) next = within(next - (moving + slip_ * (next - now)) / stiffest_);
+    // Far from coming to rest, and both sliding and twisting: each part of the area brakes against its own motion.
+    const double along = std::sqrt(moving.x * moving.x + moving.y * moving.y), about = std::abs(moving.z);
+    if (lever_ > 0 && wanted > kFarFromRest * most && about > kBoth * along && along > kBoth * about) next = evenly(moving) * most;
+  }
+  const Vec3 change = next - now;
+  drag({change.x, change.y, lever_ > 0 ? change.z * lever_ : 0});
+}
+
+// The friction of an area that presses evenly, over mu N, against a slip along both tangents and, times the lever, about
+// the normal: the mean of what its parts do, over the quadrilateral of the points. (The limit surface of
+// S. Goyal, A. Ruina and J. Papadopoulos, Wear 143, 1991; the ellipsoid is it only where one of both motions is small.)
+Vec3 Contact::evenly(Vec3 moving) const {
+  double x[kMostPoints], y[kMostPoints], angle[kMostPoints];
+  int order[kMostPoints];
+  Vec3 middle;
+  for (int i = 0; i < count; ++i) middle += points[i].arm_a / count;
+  for (int i = 0; i < count; ++i) {
+    const Vec3 off = points[i].arm_a - middle;
+    x[i] = dot(off, tangent_1);
+    y[i] = dot(off, tangent_2);
+    angle[i] = std::atan2(y[i], x[i]);
+    int at = i;  // round the middle, by insertion
+    for (; at > 0 && angle[order[at - 1]] > angle[i]; --at) order[at] = order[at - 1];
+    order[at] = i;
+  }
+  const auto corner = [&](const double* of, int k) { return of[order[std::min(k, count - 1)]]; };
+  const double turning = moving.z / lever_;
+  Vec3 sum;
+  for (int i = 0; i < kGrid; ++i)
+    for (int k = 0; k < kGrid; ++k) {
+      const double u = kPlaces[i], v = kPlaces[k], weight = kWeights[i] * kWeights[k];
+      const auto at = [&](const double* of) {
+        return (1 - v) * ((1 - u) * corner(of, 0) + u * corner(of, 1)) + v * ((1 - u) * corner(of, 3) + u * corner(of, 2));
+      };
+      // The normal turns the first tangent towards the second.
+      const double px = at(x), py = at(y), vx = moving.x - turning * py, vy = moving.y + turning * px, speed = std::sqrt(vx * vx + vy * vy);
+      if (speed <= 0) continue;
+      sum += Vec3{-vx, -vy, -(px * vy - py * vx) / lever_} * (weight / speed);
+    }
+  return sum;
+}
+
+}  // namespace tumble::dynamics
