@@ -148,10 +148,13 @@ void Mechanism::couple(Drive& drive) {
 }
 
 void Mechanism::give(const Row& row, double impulse) const {
-  row.link->a->velocity += row.shift_a * impulse;
-  row.link->a->spin += row.turn_a * impulse;
-  row.link->b->velocity += row.shift_b * impulse;
-  row.link->b->spin += row.turn_b * impulse;
+  const auto give_to = [impulse](Mover& mover, Vec3 shift, Vec3 turn) {
+    if (!mover.pushable) return;
+    mover.velocity += shift * impulse;
+    mover.spin += turn * impulse;
+  };
+  give_to(*row.link->a, row.shift_a, row.turn_a);
+  give_to(*row.link->b, row.shift_b, row.turn_b);
   note_impulse(*row.link, row.row, impulse);
 }
 

@@ -29,6 +29,7 @@ struct Mover {
   // The inverse inertia at the rotation that it has now.
   void refresh();
   void push(Vec3 impulse, Vec3 twist) {
+    if (!pushable) return;  // nothing times an impulse that is no number would be none either
     velocity += scaled(inverse_mass, impulse);
     spin += inverse_inertia * twist;
   }
