@@ -20,6 +20,18 @@ void check_partners(const Engine& engine, NodeId a, NodeId b, const std::string&
   if (a == b) fail(call, ": a and b are the same node '", engine.scene.path(a), "'; give two nodes, or leave b out for the world");
 }
 
+// Keeps options as they are read in step with a field that was written, under whichever of its names.
+void note_option(Value& options, std::string_view path, const Value& value) {
+  const auto [head, rest] = split_path(path);
+  const std::string key(head);
+  if (!rest.empty()) return note_option(options[key], rest, value);
+  if (!options.is<Map>()) options = Map{};
+  constexpr std::string_view tail = "_degrees";
+  const std::string twin = key.ends_with(tail) ? key.substr(0, key.size() - tail.size()) : key + std::string(tail);
+  std::erase_if(*options.get<Map>(), [&](const auto& entry) { return entry.first == key || entry.first == twin || entry.first == "world_" + key; });
+  if (!value.is_nil()) options[key] = value;
+}
+
 }  // namespace
 
 JointRef Engine::add_joint(const std::string& type, const std::string& name, NodeId a, NodeId b, const Value& options,
@@ -130,6 +142,7 @@ void Engine::set_joint_field(JointRef joint, const std::string& path, const Valu
     assign_path(joint_kind_type(def.kind), joint_kind_object(def.kind), path, value, call);
   }
   record.def = def;
+  note_option(record.options, path, value);
   if (record.id) world_->configure(record.id, def);
 }
 

@@ -21,3 +21,23 @@ TEST_CASE("joints: every described option of every kind can be read, and nothing
     CHECK(wrong.last_error().find("has no 'break_forse'") != std::string::npos);
   }
 }
+
+TEST_CASE("joints: an option reads as it was last written", "[script]") {
+  TestGame game(Files{{"main.lua", R"(
+    local door = scene.add { name = "door", mesh = "box", body = {} }
+    local hinge = joint.hinge { a = door, world_axis = vec3.up, min = -1, motor = { target_degrees = 40, torque = 60 } }
+    function start()
+      hinge.motor.target, hinge.min_degrees, hinge.max = 0.5, -90, 2
+      game.report.target, game.report.min, game.report.max = hinge.motor.target, hinge.min_degrees, hinge.max
+      hinge.max = nil
+      game.report.free = hinge.max == nil and 1 or 0
+    end)"}});
+
+  game.tick(2);
+
+  CHECK(game.last_error() == "");
+  CHECK(game.number("target") == 0.5);
+  CHECK(game.number("min") == -90);
+  CHECK(game.number("max") == 2);
+  CHECK(game.number("free") == 1);
+}
