@@ -89,15 +89,20 @@ void draw_kind(DebugPen& pen, const BallDef&, const JointView& view) {
     pen.arc(view.b.position, view.b.rotation * u, view.b.rotation * v, 2 * kPi, kRange);
 }
 
-// The angles it may take as an arc about the axis, from b's side direction; the needle is a's.
+// The angles it may take as an arc, from where 0 and a quarter turn point to.
+void draw_range(DebugPen& pen, const TurnDef& turn, Vec3 center, Vec3 zero, Vec3 quarter) {
+  const auto at = [&](double angle) { return zero * std::cos(angle) + quarter * std::sin(angle); };
+  const bool limited = turn.min && turn.max && *turn.max - *turn.min < 2 * kPi;
+  const double low = limited ? *turn.min : 0, high = limited ? *turn.max : 2 * kPi;
+  pen.arc(center, at(low), at(low + kPi / 2), high - low, kRange);
+  for (const auto& limit : {turn.min, turn.max})
+    if (limit) pen.line(center, center + at(*limit), kRange);
+}
+
+// The range from b's side direction; the needle is a's.
 void draw_kind(DebugPen& pen, const HingeDef& hinge, const JointView& view) {
   const double r = view.size;
-  const auto at = [&](double angle) { return view.b.rotation * Vec3{0, r * std::cos(angle), r * std::sin(angle)}; };
-  const bool limited = hinge.angle.min && hinge.angle.max && *hinge.angle.max - *hinge.angle.min < 2 * kPi;
-  const double low = limited ? *hinge.angle.min : 0, high = limited ? *hinge.angle.max : 2 * kPi;
-  pen.arc(view.b.position, at(low), at(low + kPi / 2), high - low, kRange);
-  for (const auto& limit : {hinge.angle.min, hinge.angle.max})
-    if (limit) pen.line(view.b.position, view.b.position + at(*limit), kRange);
+  draw_range(pen, hinge.angle, view.b.position, view.b.rotation * Vec3{0, r, 0}, view.b.rotation * Vec3{0, 0, r});
   pen.arrow(view.b.position, view.b.position + view.a.rotation * Vec3{0, r, 0}, kNeedle);
 }
 
@@ -110,6 +115,39 @@ void draw_kind(DebugPen& pen, const SliderDef& slider, const JointView& view) {
   for (const auto& limit : {slider.position.min, slider.position.max})
     if (limit) pen.line(at(*limit, -end), at(*limit, end), kRange);
   pen.cross(view.a.position, view.size * 0.15, kNeedle);
+}
+
+// Its way, and at a's place the range of turns.
+void draw_kind(DebugPen& pen, const CylindricalDef& cylindrical, const JointView& view) {
+  draw_kind(pen, SliderDef{cylindrical.slide}, view);
+  draw_kind(pen, HingeDef{cylindrical.turn}, JointView{view.a, {view.a.position, view.b.rotation}, view.size * 0.5});
+}
+
+// The arms of the cross are needles: a's in b's range and b's in a's.
+void draw_kind(DebugPen& pen, const UniversalDef& universal, const JointView& view) {
+  const double r = view.size;
+  const Vec3 at = view.b.position;
+  draw_range(pen, universal.turn_a, at, view.a.rotation * Vec3{0, r, 0}, view.a.rotation * Vec3{0, 0, -r});
+  draw_range(pen, universal.turn_b, at, view.b.rotation * Vec3{r, 0, 0}, view.b.rotation * Vec3{0, 0, -r});
+  pen.arrow(at, at + view.a.rotation * Vec3{r, 0, 0}, kNeedle);
+  pen.arrow(at, at + view.b.rotation * Vec3{0, r, 0}, kNeedle);
+}
+
+// The cone that the bone may point into; the needle is the bone.
+void draw_kind(DebugPen& pen, const RagdollDef& ragdoll, const JointView& view) {
+  const double r = view.size;
+  const Vec3 tip = view.b.position;
+  pen.arrow(tip, tip + view.a.rotation * Vec3{r, 0, 0}, kNeedle);
+  if (!ragdoll.swing_a.max || !ragdoll.swing_b.max) return;
+  const auto at = [&](int i) {
+    const double angle = i * kPi / 24;
+    const Vec3 swing{0, *ragdoll.swing_a.max * std::cos(angle), *ragdoll.swing_b.max * std::sin(angle)};
+    return tip + view.b.rotation * (axis_angle(swing, length(swing)) * Vec3{r, 0, 0});
+  };
+  for (int i = 0; i < 48; ++i) {
+    pen.line(at(i), at(i + 1), kRange);
+    if (i % 6 == 0) pen.line(tip, at(i), kRange);
+  }
 }
 
 }  // namespace

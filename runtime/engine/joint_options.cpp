@@ -76,6 +76,7 @@ JointDef read_joint(const std::string& type, const Value& options, const Transfo
   const Quat back = conjugate(a.rotation);
   def.anchor = frame.world_anchor ? back * (*frame.world_anchor - a.position) : scaled(a.scale, def.anchor);
   if (frame.world_axis) def.axis = back * *frame.world_axis;
+  check_axes(def, call);
   return def;
 }
 

@@ -141,6 +141,7 @@ void Engine::set_joint_field(JointRef joint, const std::string& path, const Valu
   } else {
     assign_path(joint_kind_type(def.kind), joint_kind_object(def.kind), path, value, call);
   }
+  check_axes(def, "joint." + record.type);
   record.def = def;
   note_option(record.options, path, value);
   if (record.id) world_->configure(record.id, def);

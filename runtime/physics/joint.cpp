@@ -16,6 +16,13 @@ const std::vector<JointKind>& kinds() {
   return all;
 }
 
+// The second axis, and what the kind calls it.
+std::pair<std::optional<Vec3>, const char*> second_axis(const JointKind& kind) {
+  if (const auto* universal = std::get_if<UniversalDef>(&kind)) return {universal->axis_b, "axis_b"};
+  if (const auto* ragdoll = std::get_if<RagdollDef>(&kind)) return {ragdoll->swing_axis, "swing_axis"};
+  return {};
+}
+
 }  // namespace
 
 void describe(JointDef& joint, Schema& s) {
@@ -58,6 +65,26 @@ void* joint_kind_object(JointKind& kind) {
 
 const void* joint_kind_object(const JointKind& kind) {
   return std::visit([](const auto& def) -> const void* { return &def; }, kind);
+}
+
+Quat joint_frame(const JointDef& joint) {
+  const Quat frame = between({1, 0, 0}, normalized(joint.axis));
+  const std::optional<Vec3> second = second_axis(joint.kind).first;
+  if (!second) return frame;
+  const Vec3 in_frame = conjugate(frame) * *second;
+  return frame * axis_angle({1, 0, 0}, std::atan2(in_frame.z, in_frame.y));
+}
+
+void check_axes(const JointDef& joint, const std::string& call) {
+  if (joint.axis == Vec3{}) fail(call, ": axis must not be zero (got 0, 0, 0); give a direction such as vec3.up");
+  const auto [second, name] = second_axis(joint.kind);
+  if (!second) return;
+  const auto text = [](Vec3 v) { return number_text(v.x) + ", " + number_text(v.y) + ", " + number_text(v.z); };
+  if (*second == Vec3{})
+    fail(call, ": ", name, " must not be zero (got 0, 0, 0); give a direction such as vec3.right, or leave it out");
+  if (length(cross(normalized(joint.axis), normalized(*second))) < 1e-3)
+    fail(call, ": ", name, " must not be parallel to axis (got ", text(*second), " and ", text(joint.axis),
+         "); give a direction across it, or leave it out");
 }
 
 }  // namespace tumble

@@ -12,16 +12,18 @@
 
 #include "physics/body.h"
 #include "physics/joints/ball.h"
+#include "physics/joints/cylindrical.h"
 #include "physics/joints/fixed.h"
 #include "physics/joints/hinge.h"
+#include "physics/joints/ragdoll.h"
 #include "physics/joints/slider.h"
+#include "physics/joints/universal.h"
 
 namespace tumble {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// cylindrical, universal and ragdoll join this variant with their own files.
-using JointKind = std::variant<FixedDef, HingeDef, SliderDef, BallDef>;
+using JointKind = std::variant<FixedDef, HingeDef, SliderDef, CylindricalDef, BallDef, UniversalDef, RagdollDef>;
 
 struct JointDef {
   BodyId a, b;                   // the default handle is the world
@@ -45,11 +47,23 @@ const Type& joint_kind_type(const JointKind& kind);
 void* joint_kind_object(JointKind& kind);
 const void* joint_kind_object(const JointKind& kind);
 
+// The frame of a joint in a's: x is the axis, y the second one where the kind has one. The same axes give the same frame.
+Quat joint_frame(const JointDef& joint);
+// Throws Error, beginning with the call, where an axis is zero or the second lies along the first.
+void check_axes(const JointDef& joint, const std::string& call);
+
+// Where one freedom of a joint is.
+struct FreedomState {
+  std::string_view name;           // "angle", "slide", "turn_a", ...: as the kind's description calls it
+  double position = 0, speed = 0;  // m, m/s or rad, rad/s; whole turns counted
+};
+
 // What a joint did in the last step.
 struct JointState {
   Vec3 force, torque;              // on a, at the anchor, world, mean over the step
-  double position = 0, speed = 0;  // of the freedom of a hinge (rad, rad/s; whole turns counted) or slider (m, m/s)
+  double position = 0, speed = 0;  // of the first freedom: all there is to a hinge or slider
   bool broken = false;
+  std::vector<FreedomState> freedoms;
 };
 
 }  // namespace tumble

@@ -16,7 +16,10 @@ namespace {
 const char* const kJointNotes =
     "Every joint also takes `name`, by which `node:joint(name)` finds it, `a` and `b`, the two nodes (`b` left out: the "
     "world), and `world_anchor` and `world_axis` instead of `anchor` and `axis`. A joint does nothing until both bodies are there "
-    "and enabled; it goes with the first of them. All options can be read and written live, and writing wakes both bodies.\n";
+    "and enabled; it goes with the first of them. All options can be read and written live, and writing wakes both bodies.\n\n"
+    "Freedoms that have a table of their own (`slide`, `turn`, `turn_a`, `turn_b`, `swing_a`, `swing_b`, `twist`) also tell where "
+    "they are: `joint.slide.position` (m), `joint.twist.angle` (rad) or `angle_degrees`, and `speed` (m/s or rad/s). A "
+    "hinge and a slider have the options of their freedom, and what it tells, on the joint itself.\n";
 
 const char* const kFilterNotes =
     "A filter is a table, or what `physics.filter` made of one: `{ groups = { \"walls\" }, tags = { \"coin\" }, ignore = node, "

@@ -25,6 +25,14 @@ const char* const kJointOptions = R"(---@field name? string
 ---@field world_anchor? vec3
 ---@field world_axis? vec3
 )";
+// What a freedom tells beside its options.
+const char* const kSlideState = R"(---@field position? number Where it is, m; to be read.
+---@field speed? number How fast that changes, m/s; to be read.
+)";
+const char* const kTurnState = R"(---@field angle? number Where it is, rad; to be read.
+---@field angle_degrees? number The same in degrees.
+---@field speed? number How fast that changes, rad/s; to be read.
+)";
 const char* const kNodeOptions = R"(---@field parent? node
 )";
 const char* const kExpectation = R"(---@class expectation
@@ -142,6 +150,8 @@ void write_options(std::ostream& out, const Type& type, bool of_joint) {
   out << "--- " << type.summary << "\n---@class " << type.name << "_options" << (of_joint && type.name != "joint" ? ": joint_options" : "") << '\n';
   write_field_lines(out, type, nullptr, true);
   if (type.name == "joint") out << kJointOptions;
+  if (type.name == "slide") out << kSlideState;
+  if (type.name == "turn" || type.name == "swing") out << kTurnState;
   if (type.name == "node") out << kNodeOptions;
   out << '\n';
 }
@@ -167,7 +177,7 @@ bool is_global(const Area& area) { return is_word_area(area) && (area.name == "g
 void write_class(std::ostream& out, const Area& area) {
   write_doc(out, area.doc);
   out << "---@class " << (area.object || is_handlers(area) ? area.name : area.name + "_module")
-      << (area.object && area.name == "joint" ? ": hinge_options, slider_options" : "") << '\n';
+      << (area.object && area.name == "joint" ? ": hinge_options, slider_options, cylindrical_options, universal_options, ragdoll_options" : "") << '\n';
   if (area.object) out << operators(area.name);
   else if (is_word_area(area)) out << constructor(area.name);
   for (const Row& row : area.rows) {

@@ -230,6 +230,10 @@ class Script {
   World& world_or_empty();                             // for queries, which make no world
   bool shows_queries() const;                          // does the debug view want them noted in drawing()?
   bool joint_has_option(const std::string& type, const std::string& name) const;
+  // Is it a freedom with a table of its own, such as `twist` of a ragdoll?
+  bool is_freedom(const JointRecord& joint, const std::string& name) const;
+  // Where that freedom is, by `position`, `angle`, `angle_degrees` or `speed`; none for other keys.
+  std::optional<double> freedom_state(JointRef joint, const std::string& freedom, const std::string& key);
   // Handler slots of nodes ("on_collision_enter"): push the function, or keep the one at `value`. False where the name
   // is no event's; a name near to one is an Error.
   bool push_slot(int node, const std::string& name);

@@ -93,7 +93,10 @@ Value root_value(Script& script, const View& view, std::vector<std::string>& bel
   if (view.root.kind == Reference::Kind::joint) {
     JointRecord* joint = script.engine().joint({view.root.index, view.root.generation});
     if (!joint) fail(view.path, ": this joint was destroyed");
-    return joint->options;
+    Value options = joint->options;
+    // A freedom is there, be it that no option of it was given.
+    if (!options.find(below.front()) && script.is_freedom(*joint, below.front())) options[below.front()] = Map{};
+    return options;
   }
   const std::string component = below.front();
   below.erase(below.begin());
@@ -133,6 +136,9 @@ int index_view(lua_State* L) {
   const Value value = view_value(script_of(L), view);
   Value made;
   const std::string key = key_of(L, 2);
+  if (view.root.kind == Reference::Kind::joint)
+    if (const auto state = script_of(L).freedom_state({view.root.index, view.root.generation}, view.path, key))
+      return lua_pushnumber(L, *state), 1;
   const Value* entry = find_or_twin(value, key, made);
   if (!entry) return lua_pushnil(L), 1;
   push_field(L, view.root, view.path + "." + key, *entry);
@@ -173,6 +179,8 @@ int newindex_view(lua_State* L) {
   check_write(script, view.path + "." + key);
   const Value content = value_from_lua(L, 3, view.path + "." + key);
   if (view.root.kind == Reference::Kind::joint) {
+    if (script.freedom_state({view.root.index, view.root.generation}, view.path, key))
+      fail("joint.", view.path, ".", key, " can only be read; lead it there by joint.", view.path, ".motor");
     script.engine().set_joint_field({view.root.index, view.root.generation}, view.path + "." + key, content, "joint");
     return 0;
   }
@@ -191,6 +199,10 @@ int index_joint(lua_State* L, const Area& area) {
   JointRecord* joint = script.engine().joint(id);
   if (!joint) fail("joint.", key, ": this joint was destroyed");
   Value made;
+  if (script.is_freedom(*joint, key)) {
+    push_field(L, {Reference::Kind::joint, id.index, id.generation}, key, Map{});
+    return 1;
+  }
   if (const Value* entry = find_or_twin(joint->options, key, made)) {
     push_field(L, {Reference::Kind::joint, id.index, id.generation}, key, *entry);
     return 1;

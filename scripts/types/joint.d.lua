@@ -20,21 +20,36 @@ function joint.hinge(options) end
 ---@return joint
 function joint.slider(options) end
 
+--- Lets a slide along an axis and turn about it.
+---@param options cylindrical_options
+---@return joint
+function joint.cylindrical(options) end
+
 --- Lets a turn freely about a point (a spherical joint).
 ---@param options ball_options
 ---@return joint
 function joint.ball(options) end
 
+--- Lets a turn about two axes across each other (Hooke's joint).
+---@param options universal_options
+---@return joint
+function joint.universal(options) end
+
+--- Lets a bone swing within a cone and twist (a cone-twist joint).
+---@param options ragdoll_options
+---@return joint
+function joint.ragdoll(options) end
+
 --- A joint: its options can be read and written live.
----@class joint: hinge_options, slider_options
----@field type string "fixed", "hinge", "slider" or "ball".
+---@class joint: hinge_options, slider_options, cylindrical_options, universal_options, ragdoll_options
+---@field type string "fixed", "hinge", "slider", "cylindrical", "ball", "universal" or "ragdoll".
 ---@field name string The name it is found by: node:joint(name).
 ---@field a node The first node; anchor and axis are in its space.
 ---@field b node? The second node, or nil for the world.
 ---@field angle number Of a hinge: how far a has turned against b since it was made, rad.
 ---@field angle_degrees number The same in degrees.
 ---@field position number Of a slider: how far a has slid against b since it was made, m.
----@field speed number How fast that changes, rad/s or m/s.
+---@field speed number Of a hinge or slider: how fast that changes, rad/s or m/s.
 ---@field force vec3 What it pushed a with in the last tick, N.
 ---@field torque vec3 What it twisted a with in the last tick, N m.
 ---@field is_broken boolean Has it broken?
@@ -104,6 +119,58 @@ function joint:destroy() end
 ---@field damping? number Ratio: 0 swings on, 1 comes to rest without swinging over.
 ---@field rest? number Where it pulls to, m.
 
+--- Lets two bodies slide along one axis and turn about it, as a ring on a rod.
+---@class cylindrical_options: joint_options
+---@field slide? slide_options Along the axis.
+---@field turn? turn_options About the axis.
+
+--- Moving along an axis; 0 is the pose at creation.
+---@class slide_options
+---@field min? number Lower limit, m; none where it is not given.
+---@field max? number Upper limit, m; equal limits lock.
+---@field motor? slide_motor_options Drives it.
+---@field spring? slide_spring_options Pulls it back.
+---@field friction? number Brakes it with up to this force, N.
+---@field position? number Where it is, m; to be read.
+---@field speed? number How fast that changes, m/s; to be read.
+
+--- Turning about an axis, right-handed; 0 is the pose at creation.
+---@class turn_options
+---@field min? number Lower limit; none where it is not given.
+---@field min_degrees? number The same in degrees.
+---@field max? number Upper limit; equal limits lock. More than one turn is allowed.
+---@field max_degrees? number The same in degrees.
+---@field motor? turn_motor_options Drives it.
+---@field spring? turn_spring_options Pulls it back.
+---@field friction? number Brakes it with up to this torque, N m.
+---@field angle? number Where it is, rad; to be read.
+---@field angle_degrees? number The same in degrees.
+---@field speed? number How fast that changes, rad/s; to be read.
+
 --- Keeps two bodies together at one point; they turn freely (a spherical joint).
 ---@class ball_options: joint_options
 ---@field friction? number Brakes the turning with up to this torque about each axis, N m.
+
+--- Lets two bodies turn about two axes across each other, as two shafts joined by a cross (Hooke's joint).
+---@class universal_options: joint_options
+---@field axis_b? vec3 The second axis, which b carries, in a's frame as the joint is made; the part of it across `axis` counts. Some direction across `axis` where it is not given.
+---@field turn_a? turn_options About `axis`, which a carries.
+---@field turn_b? turn_options About `axis_b`.
+
+--- Lets a bone swing within a cone and twist about its axis, as a shoulder (a cone-twist joint). With both swings limited the cone is elliptic. Swings of near half a turn cannot be told from twists: keep limits below 170 degrees.
+---@class ragdoll_options: joint_options
+---@field swing_axis? vec3 What `swing_a` is about, in a's frame as the joint is made; the part of it across `axis` counts. Some direction across `axis` where it is not given.
+---@field swing_a? swing_options About `swing_axis`.
+---@field swing_b? swing_options About the direction across `axis` and `swing_axis`.
+---@field twist? turn_options About `axis`.
+
+--- Swinging about a direction across the axis, to both sides alike; 0 is the pose at creation.
+---@class swing_options
+---@field max? number How far, to both sides; 0 locks. None where it is not given.
+---@field max_degrees? number The same in degrees.
+---@field motor? turn_motor_options Drives it.
+---@field spring? turn_spring_options Pulls it back.
+---@field friction? number Brakes it with up to this torque, N m.
+---@field angle? number Where it is, rad; to be read.
+---@field angle_degrees? number The same in degrees.
+---@field speed? number How fast that changes, rad/s; to be read.

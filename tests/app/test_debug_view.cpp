@@ -109,6 +109,23 @@ TEST_CASE("debug view: a slider shows its way between its limits", "[app][debug]
   CHECK(has_end(range, {0, 2, 0}));
 }
 
+TEST_CASE("debug view: a ragdoll shows its cone, a universal joint the ranges of both arms", "[app][debug]") {
+  Seen game;
+  const NodeId bone = game.make({{"position", Vec3{1, 0, 0}}, {"mesh", "box"}, {"body", Map{{"gravity_factor", 0}}}});
+  game.tie("ragdoll", bone, {}, {{"anchor", Vec3{-1, 0, 0}}, {"axis", Vec3{1, 0, 0}}, {"swing_axis", Vec3{0, 1, 0}},
+                                 {"swing_a", Map{{"max", 0.8}}}, {"swing_b", Map{{"max", 0.4}}}});
+  const double r = 0.5;   // half the way from the bone's centre to the joint
+
+  const auto cone = lines_of(game.show(DebugView::joints), kRange);
+
+  CHECK(has_end(cone, {r * std::cos(0.8), 0, -r * std::sin(0.8)}));
+  CHECK(has_end(cone, {r * std::cos(0.4), r * std::sin(0.4), 0}));
+
+  game.tie("universal", bone, {}, {{"anchor", Vec3{-1, 0, 0}}, {"axis", Vec3{1, 0, 0}}, {"axis_b", Vec3{0, 1, 0}},
+                                   {"turn_a", Map{{"min", -0.3}, {"max", 0.6}}}});
+  CHECK(has_end(lines_of(game.show(DebugView::joints), kRange), {0, r * std::cos(0.6), -r * std::sin(0.6)}));
+}
+
 TEST_CASE("debug view: the forces of a box at rest add up to its weight", "[app][debug]") {
   Seen game;
   game.make({{"position", Vec3{0, -0.5, 0}}, {"mesh", Map{{"size", Vec3{10, 1, 10}}}}, {"body", "static"}});

@@ -231,5 +231,5 @@ TEST_CASE("joints: options read as scripts write them", "[physics]") {
   CHECK(*angle.motor->target == Approx(kPi / 2));
   CHECK(*angle.motor->strength == 60);
   CHECK(angle.spring->frequency == 2);
-  CHECK(joint_kind_names() == std::vector<std::string>{"fixed", "hinge", "slider", "ball"});
+  CHECK(joint_kind_names() == std::vector<std::string>{"fixed", "hinge", "slider", "cylindrical", "ball", "universal", "ragdoll"});
 }

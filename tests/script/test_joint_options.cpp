@@ -41,3 +41,35 @@ TEST_CASE("joints: an option reads as it was last written", "[script]") {
   CHECK(game.number("max") == 2);
   CHECK(game.number("free") == 1);
 }
+
+TEST_CASE("joints: freedoms with tables of their own tell where they are and can be written", "[script]") {
+  TestGame game(Files{{"main.lua", R"(
+    local ring = scene.add { name = "ring", mesh = "box", body = { gravity_factor = 0 } }
+    local rod = joint.cylindrical { a = ring, axis = vec3.up }
+    function start() ring.body.velocity, ring.body.angular_velocity = vec3(0, 1, 0), vec3(0, 2, 0) end
+    function update()
+      if time.tick == 61 then
+        game.report.slide, game.report.slide_speed = rod.slide.position, rod.slide.speed
+        game.report.angle, game.report.degrees = rod.turn.angle, rod.turn.angle_degrees
+        rod.slide.max = 1.2
+        rod.turn = { motor = { speed = -1 } }
+      elseif time.tick == 121 then
+        game.report.stopped, game.report.turned = rod.slide.position, rod.turn.speed
+        game.report.limit, game.report.motor = rod.slide.max, rod.turn.motor.speed
+        game.report.none = rod.slide.min == nil and rod.slide.motor == nil and 1 or 0
+      end
+    end)"}});
+
+  game.tick(125);
+
+  CHECK(game.last_error() == "");
+  CHECK(game.number("slide") == Approx(1).margin(0.02));
+  CHECK(game.number("slide_speed") == Approx(1).epsilon(1e-6));
+  CHECK(game.number("angle") == Approx(2).margin(0.04));
+  CHECK(game.number("degrees") == Approx(degrees(game.number("angle"))).epsilon(1e-9));
+  CHECK(game.number("stopped") == Approx(1.2).margin(1e-3));
+  CHECK(game.number("turned") == Approx(-1).epsilon(1e-6));
+  CHECK(game.number("limit") == 1.2);
+  CHECK(game.number("motor") == -1);
+  CHECK(game.number("none") == 1);
+}

@@ -49,13 +49,18 @@ void note_drives(JointPart& joint) {
 }
 
 JointState state_of(const JointPart& joint) {
-  JointState state{joint.force, joint.torque, 0, 0, joint.broken};
+  JointState state{joint.force, joint.torque, 0, 0, joint.broken, {}};
   const JointRows now = rows_now(joint);
-  if (now.free.empty()) return state;
-  const FreeRow& free = now.free[0];
-  const double known = joint.link.positions.empty() ? 0 : joint.link.positions[0];
-  state.position = free.turn ? known + std::remainder(free.position - known, 2 * kPi) : free.position;
-  if (joint.constraint) state.speed = speed_along(joint, free.row);
+  for (std::size_t i = 0; i < now.free.size(); ++i) {
+    const FreeRow& free = now.free[i];
+    if (*free.name == 0) continue;
+    const double known = i < joint.link.positions.size() ? joint.link.positions[i] : 0;
+    const double position = free.turn ? known + std::remainder(free.position - known, 2 * kPi) : free.position;
+    state.freedoms.push_back({free.name, position, joint.constraint ? speed_along(joint, free.row) : 0});
+  }
+  if (state.freedoms.empty()) return state;
+  state.position = state.freedoms[0].position;
+  state.speed = state.freedoms[0].speed;
   return state;
 }
 

@@ -7,23 +7,33 @@ namespace tumble {
 
 namespace {
 
-// A frame whose x is the axis; the same axis gives the same frame.
-Quat frame_of(Vec3 axis) { return between({1, 0, 0}, normalized(axis)); }
+void check_freedoms(const FixedDef&) {}
+void check_freedoms(const HingeDef& hinge) { check_limits(hinge.angle); }
+void check_freedoms(const SliderDef& slider) { check_limits(slider.position); }
+void check_freedoms(const CylindricalDef& cylindrical) {
+  check_limits(cylindrical.slide);
+  check_limits(cylindrical.turn);
+}
+void check_freedoms(const BallDef&) {}
+void check_freedoms(const UniversalDef& universal) {
+  check_limits(universal.turn_a);
+  check_limits(universal.turn_b);
+}
+void check_freedoms(const RagdollDef& ragdoll) { check_limits(ragdoll.twist); }
 
 void check(const World& world, const JointDef& def) {
   const std::string call = "joint." + joint_kind_name(def.kind);
-  if (def.axis == Vec3{}) fail(call, ": axis must not be zero (got 0, 0, 0); give a direction such as vec3.up");
+  check_axes(def, call);
   for (const BodyId body : {def.a, def.b})
     if (body && !world.has(body)) fail(call, ": one of its bodies was removed; make the joint while both are there");
   if (!def.a && !def.b) fail(call, ": neither a nor b is given; give at least one body, the other is the world then");
   if (def.a == def.b) fail(call, ": a and b are the same body; give two different ones, or leave b out for the world");
-  if (const auto* hinge = std::get_if<HingeDef>(&def.kind)) check_limits(hinge->angle);
-  if (const auto* slider = std::get_if<SliderDef>(&def.kind)) check_limits(slider->position);
+  std::visit([](const auto& kind) { check_freedoms(kind); }, def.kind);
 }
 
 // The joint's frame in both bodies, so that every freedom is 0 now.
 void place(JointPart& joint) {
-  joint.local_a = {joint.def.anchor, frame_of(joint.def.axis)};
+  joint.local_a = {joint.def.anchor, joint_frame(joint.def)};
   const Pose world = joint.a ? joint.a->pose() * joint.local_a : joint.local_a;
   joint.local_b = joint.b ? inverse(joint.b->pose()) * world : world;
 }
@@ -60,7 +70,7 @@ void World::configure(JointId id, const JointDef& def) {
   JointPart& joint = world.joint(id);
   if (!(def.a == joint.def.a) || !(def.b == joint.def.b))
     fail("joint.", joint_kind_name(def.kind), ": a and b cannot be changed; destroy the joint and make a new one");
-  const bool moved = !(def.anchor == joint.def.anchor) || !(def.axis == joint.def.axis) || def.kind.index() != joint.def.kind.index();
+  const bool moved = !(def.anchor == joint.def.anchor) || !(joint_frame(def) == joint_frame(joint.def)) || def.kind.index() != joint.def.kind.index();
   const bool filter = def.collide_connected != joint.def.collide_connected;
   joint.def = def;
   world.solver.joints_changed();

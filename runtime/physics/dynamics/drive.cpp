@@ -40,6 +40,7 @@ void bound_limit(Drive& drive, double allowed) {
 // As near in this substep as there is room.
 void aim_limit_before(Drive& drive, double h) {
   const double left = room(drive);
+  drive.aim = left >= 0 ? 0 : (1 - kRepair) * left;
   bound_limit(drive, (left >= 0 ? left : kRepair * left) / h);
 }
 
@@ -139,6 +140,13 @@ void aim_after(Drive& drive, double h) {
     case Drive::low:
     case Drive::high: aim_limit_after(drive); break;
   }
+}
+
+double passed(const Drive& drive) {
+  if (!drive.active || (drive.kind != Drive::low && drive.kind != Drive::high)) return 0;
+  Drive now = drive;
+  now.position = drive.link->positions[static_cast<std::size_t>(drive.free_row)];
+  return std::max(0.0, drive.aim - room(now));
 }
 
 }  // namespace tumble::dynamics

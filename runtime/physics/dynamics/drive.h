@@ -22,6 +22,7 @@ struct Drive {
   double impulse = 0;         // in this substep, N s or N m s
   double lower = 0, upper = 0;  // bounds of it, for all of the substep
   double before = 0;          // speed along it when the substep began
+  double aim = 0;             // of a limit before the drift: the room that is to be left after it, at least
   double target = 0;          // speed to be reached, at most or at least of a limit
   double target_after = 0;    // of a spring: at the end of the substep
   // With the mechanism's held rows: an impulse of 1 along it, with `helpers` along those, changes its speed by `mobility`.
@@ -38,5 +39,7 @@ void refresh(Drive& drive, double h);
 // speed that all but springs have given: call it when held rows are solved.
 void aim_before(Drive& drive, double speed, double h);
 void aim_after(Drive& drive, double h);
+// After the drift: how far a limit was passed beyond what was aimed at, m or rad; 0 of other kinds.
+double passed(const Drive& drive);
 
 }  // namespace tumble::dynamics

@@ -242,8 +242,36 @@ Eigen::VectorXd Mechanism::repair(const Eigen::VectorXd& errors, double most_cos
   return shifts;
 }
 
+// A limit whose row turns as the bodies move along it, as a cone's does, is passed by that bend in a drift. It is taken back
+// like a held row's gap, along the row of before and with the velocity that goes with it (SHAKE): so a bone that slides
+// round in its cone neither leaves it nor loses speed.
+void Mechanism::close_bends(double h) {
+  for (int round = 0; round < kGapRounds; ++round)
+    for (Drive& drive : drives_) {
+      const bool bent = drive.free_row >= 0 && drive.link->rows.free[static_cast<std::size_t>(drive.free_row)].bent;
+      if (!bent || !drive.active || drive.mobility <= kLeastMobility * drive.own_mobility) continue;
+      refresh(*drive.link);
+      const double beyond = std::min(passed(drive), kMostGap);
+      if (beyond <= kClosed) continue;
+      const double shift = (drive.kind == Drive::low ? beyond : -beyond) / drive.mobility;
+      drift_along(drive_rows_[static_cast<std::size_t>(&drive - drives_.data())], shift, h);
+      for (std::size_t i = 0; i < rows_.size() && drive.helpers.size() > 0; ++i)
+        drift_along(rows_[i], shift * drive.helpers[static_cast<Eigen::Index>(i)], h);
+      if (drive.helpers.size() > 0) held_ += drive.helpers * (shift / h);
+      drive.impulse += shift / h;
+    }
+}
+
+// Moves both bodies as an impulse of shift / h in the drift of h would have, and gives that impulse.
+void Mechanism::drift_along(const Row& row, double shift, double h) {
+  row.link->a->shift(row.shift_a * shift, row.turn_a * shift);
+  row.link->b->shift(row.shift_b * shift, row.turn_b * shift);
+  give(row, shift / h);
+}
+
 // Newton's method with the matrix of before the drift: its error shrinks by about the turn in a substep each round.
 void Mechanism::close_gaps(double h) {
+  close_bends(h);
   if (rows_.empty()) return;
   for (int round = 0; round < kGapRounds; ++round) {
     const Eigen::VectorXd gaps = errors();

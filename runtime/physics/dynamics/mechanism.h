@@ -49,6 +49,8 @@ class Mechanism {
   void stiffen(double h);
   Row with_response(Link& link, const JointRow& row) const;
   void couple(Drive& drive);
+  void close_bends(double h);
+  void drift_along(const Row& row, double shift, double h);
   Eigen::VectorXd errors();
   Eigen::VectorXd repair(const Eigen::VectorXd& errors, double most_cost, double& cost);
   void move(const Eigen::VectorXd& shifts, double rate);

@@ -28,6 +28,8 @@ struct FreeRow {
   double position = 0;     // m or rad; of a turn within +-pi, whole turns are counted elsewhere
   bool turn = false;
   Freedom freedom;
+  bool bent = false;       // does its row turn as the bodies move along it, as a cone's boundary does?
+  const char* name = "";   // by which its state is found; "" is not told
 };
 
 struct JointRows {
@@ -41,11 +43,15 @@ struct JointRows {
 
 // The two anchors stay at one point: three rows.
 void hold_point(const JointFrame& frame, JointRows& out);
+// The axes of both bodies stay parallel: two rows.
+void hold_axis(const JointFrame& frame, JointRows& out);
 // The anchors' way apart along a direction that body b carries.
 JointRow along(const JointFrame& frame, Vec3 direction);
 // Turning of a against b about a direction.
 JointRow about(Vec3 direction, double error);
 // How far a is turned against b, as a rotation vector (axis times angle), world.
 Vec3 turned(const JointFrame& frame);
+// The part of that about the axis, rad within +-pi: what is left when the axes are brought together the shortest way.
+double twisted(const JointFrame& frame);
 
 }  // namespace tumble

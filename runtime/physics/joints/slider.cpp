@@ -16,7 +16,7 @@ void rows(const SliderDef& def, const JointFrame& frame, JointRows& out) {
   out.held.push_back(about({0, 1, 0}, error.y));
   out.held.push_back(about({0, 0, 1}, error.z));
   const JointRow row = along(frame, frame.b.rotation * Vec3{1, 0, 0});
-  out.free.push_back({row, row.error, false, freedom(def.position)});
+  out.free.push_back({row, row.error, false, freedom(def.position), false, "position"});
 }
 
 }  // namespace tumble
