@@ -72,6 +72,23 @@ btTypedConstraint* with_spring(btRigidBody& b, btRigidBody& a, const Frames& fra
   return joint;
 }
 
+template <class Def>
+bool is_free(const Def& def) {
+  bool limited = def.max.has_value();
+  if constexpr (requires { def.min; }) limited |= def.min.has_value();
+  return !limited && !def.motor && !def.spring && def.friction == 0;
+}
+
+btTypedConstraint* with_cone(btRigidBody& b, btRigidBody& a, const Frames& frames, const RagdollDef& def) {
+  SwingDef swing_a = def.swing_a, swing_b = def.swing_b;
+  swing_a.max.reset();
+  swing_b.max.reset();
+  if (def.swing_axis || !is_free(swing_a) || !is_free(swing_b) || !is_free(def.twist)) throw Missing{"a driven ragdoll joint, or one with twist limits"};
+  auto* joint = new btConeTwistConstraint(b, a, frames.b, frames.a);
+  joint->setLimit(number(def.swing_b.max.value_or(kPi)), number(def.swing_a.max.value_or(kPi)), number(kPi));
+  return joint;
+}
+
 }  // namespace
 
 void make_constraint(StockJoint& joint, const StockPartner& a, const StockPartner& b, double substep) {
@@ -103,6 +120,14 @@ void make_constraint(StockJoint& joint, const StockPartner& a, const StockPartne
   } else if (std::holds_alternative<BallDef>(def.kind)) {
     const Frames frames = frame(world);
     made = new btPoint2PointConstraint(first, second, frames.b.getOrigin(), frames.a.getOrigin());
+  } else if (const auto* ragdoll = std::get_if<RagdollDef>(&def.kind)) {
+    made = with_cone(first, second, frame(world), *ragdoll);
+  } else if (const auto* universal = std::get_if<UniversalDef>(&def.kind)) {
+    if (!(is_free(universal->turn_a) && is_free(universal->turn_b))) throw Missing{"a driven or limited universal joint"};
+    const Vec3 axis = world.rotation * Vec3{1, 0, 0}, given = universal->axis_b ? placed(a).rotation * *universal->axis_b : world.rotation * Vec3{0, 1, 0};
+    made = new btUniversalConstraint(first, second, to_stock(world.position), to_stock(normalized(given - axis * dot(given, axis))), to_stock(axis));
+  } else if (std::holds_alternative<CylindricalDef>(def.kind)) {
+    throw Missing{"cylindrical joints"};
   } else {
     const Frames frames = frame(world);
     made = new btFixedConstraint(first, second, frames.b, frames.a);
