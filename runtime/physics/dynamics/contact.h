@@ -1,8 +1,8 @@
 // Two bodies that touch, or soon may: up to four points with one normal, and the friction between them.
 //
 // A substep goes through a contact as begin, foresee, warm_start, solve (to be apart after the drift), drifted, warm_start,
-// solve (to be at rest against each other), end; impact.h has what bounces. Normals and tangents stay as the collision pass found them; separations
-// follow the bodies.
+// solve (to be at rest against each other), end; impact.h has what bounces. Normals and tangents stay as the collision
+// pass found them; separations follow the bodies.
 #pragma once
 
 #include "physics/dynamics/mover.h"
@@ -28,7 +28,7 @@ struct TouchPoint {
   double last = 0;           // in the one before; the first guess
   double sum = 0;            // in this step
   double mobility = 0;       // 1/kg: speed that an impulse of 1 gives
-  double hit = 0;            // N s, of impulse's kin: what bouncing took in this substep
+  double hit = 0;            // N s, what bouncing took in this substep, beside `impulse`
   double pull = 0;           // m/s^2: how fast forces make them close faster
 };
 

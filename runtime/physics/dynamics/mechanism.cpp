@@ -63,13 +63,9 @@ void Mechanism::find_bodies() {
       if (mover->pushable && std::find(bodies_.begin(), bodies_.end(), mover) == bodies_.end()) bodies_.push_back(mover);
 }
 
-double Mechanism::whip() const {
-  const bool pulled = std::any_of(bodies_.begin(), bodies_.end(), [](const Mover* mover) { return mover->stiffness > 0; });
-  return pulled ? 0 : whip_;
-}
-
 void Mechanism::begin_step(double h) {
   whip_ *= kRemembered;
+  pulled_ = false;
   find_bodies();
   for (Link* link : links_) refresh(*link);
   std::vector<Drive> drives;
@@ -332,6 +328,7 @@ void Mechanism::note_stiffness(double h) {
     mover->stiff_axis = normalized(mover->stiff_axis);
     const double own = std::max({mover->inertia.x, mover->inertia.y, mover->inertia.z}) * kOwnStiffness;
     mover->stiffness = mover->stiff_axis == Vec3{} ? 0 : std::max(0.0, mover->stiffness - own);
+    pulled_ |= mover->stiffness > 0;
   }
 }
 
