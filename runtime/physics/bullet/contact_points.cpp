@@ -9,8 +9,9 @@ namespace tumble {
 
 namespace {
 
-// Points of two passes that lie nearer on either body are one, m; of small bodies nearer than this part of their size.
-constexpr double kSamePoint = 0.02, kSamePointRelative = 0.25;
+// Points of two passes that lie nearer on either body are one, as a part of the smaller one: where edges nearly lie on each
+// other, their crossing runs far along them for a hair of a turn.
+constexpr double kSamePoint = 0.15;
 // Cosine of the angle within which an impulse along the old normal says something about the new one.
 constexpr double kSameNormal = 0.9;
 
@@ -115,7 +116,7 @@ void write_points(const Touch* touches, int count, const btCollisionObjectWrappe
   allow(manifold, margin);
   manifold.setNumContacts(count);
   for (int i = 0; i < count; ++i) manifold.getContactPoint(i) = make_point(first, second, touches[i], swapped);
-  old.give(manifold, std::min(kSamePoint, kSamePointRelative * std::min(size_of(first), size_of(second))));
+  old.give(manifold, kSamePoint * std::min(size_of(first), size_of(second)));
   tell_added(first, second, manifold);
 }
 

@@ -307,7 +307,16 @@ void Solver::begin(const WorldSettings& settings, const std::vector<BodyState*>&
 }
 
 void Solver::run(double seconds, int least, int rounds) {
-  for (dynamics::Island& island : islands_) dynamics::run(island, seconds, least, rounds);
+  for (dynamics::Island& island : islands_) {
+    if (!dynamics::is_heap(island)) {
+      dynamics::run(island, seconds, least, rounds);
+      continue;
+    }
+    const int count = dynamics::substeps_of(island, seconds, least);
+    if (!heaps_[count]) heaps_[count] = std::make_unique<dynamics::Heap>();
+    heaps_[count]->add(island);
+  }
+  for (auto& [count, heap] : heaps_) heap->run(seconds, count, rounds);
 }
 
 

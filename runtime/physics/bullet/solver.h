@@ -10,7 +10,7 @@
 #include "physics/bullet/body_state.h"
 #include "physics/bullet/chase.h"
 #include "physics/bullet/joint_part.h"
-#include "physics/dynamics/island.h"
+#include "physics/dynamics/heap.h"
 
 namespace tumble {
 
@@ -53,6 +53,7 @@ class Solver {
   std::vector<std::unique_ptr<dynamics::Mechanism>> mechanisms_;
   std::vector<dynamics::Mechanism*> awake_;
   std::vector<dynamics::Island> islands_;
+  std::map<int, std::unique_ptr<dynamics::Heap>> heaps_;  // by their number of substeps
   bool mechanisms_known_ = false;
 };
 

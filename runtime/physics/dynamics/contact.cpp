@@ -8,6 +8,9 @@ namespace tumble::dynamics {
 
 namespace {
 
+// A contact swings this many times in a substep, so that its stiffness grows with the number of substeps.
+constexpr double kContactFrequency = 0.25;
+constexpr double kContactDamping = 10;
 // Overlaps are taken back no faster than this, m/s: at 3 a wall of bricks bursts. Where that lifts a body against its
 // weight it gives energy, so that among bodies it is done with this much less.
 constexpr double kFastestPush = 1, kLessUpwards = 0.6;
@@ -32,6 +35,8 @@ Softness softness(double frequency, double damping_ratio, double h) {
   const double omega = 2 * kPi * frequency, a1 = 2 * damping_ratio + h * omega, a2 = h * omega * a1, a3 = 1 / (1 + a2);
   return {omega / a1, a2 * a3, a3};
 }
+
+Softness contact_softness(double h) { return softness(kContactFrequency / h, kContactDamping, h); }
 
 void Contact::set_normal(Vec3 n) {
   normal = n;

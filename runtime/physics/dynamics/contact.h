@@ -16,6 +16,7 @@ struct Softness {
   double mass_scale = 1, impulse_scale = 0;
 };
 Softness softness(double frequency, double damping_ratio, double h);
+Softness contact_softness(double h);  // of contacts in substeps of h
 
 struct TouchPoint {
   Vec3 arm_a, arm_b;         // from the centres of mass, world, m
@@ -81,6 +82,13 @@ struct Contact {
   void drifted(double h);
   void end();
 
+  // Where the friction of all points acts: about both bodies, and what twist may hold over what the tangents may, m. By how
+  // hard each point presses, or evenly.
+  struct Place {
+    Vec3 arm_a, arm_b;
+    double lever = 0;
+  };
+  Place friction_place(double TouchPoint::*pressing) const;
   double pressing() const;   // N s, all points
   double nearest() const;    // m, of the points' separations
   int island() const { return a->pushable ? a->island : b->island; }

@@ -21,24 +21,30 @@ constexpr double kWeights[kGrid] = {0.1739274226, 0.3260725774, 0.3260725774, 0.
 
 // One friction for all points, at the middle of what presses: two tangents and the twist, together in one ellipsoid. A
 // friction at each point would let a box that slides turn as on four nails.
+Contact::Place Contact::friction_place(double TouchPoint::*pressing) const {
+  double whole = 0, weights[kMostPoints];
+  for (int i = 0; i < count; ++i) whole += points[i].*pressing;
+  for (int i = 0; i < count; ++i) weights[i] = whole > 0 ? points[i].*pressing / whole : 1.0 / count;
+  Vec3 place, middle;  // one place for both, or friction across a gap would turn them
+  for (int i = 0; i < count; ++i) {
+    place += (a->position + points[i].arm_a + b->position + points[i].arm_b) * (weights[i] / 2);
+    middle += points[i].arm_a * weights[i];
+  }
+  double spread = 0;
+  for (int i = 0; i < count && count > 1; ++i) spread += weights[i] * length(points[i].arm_a - middle);
+  return {place - a->position, place - b->position, kEvenPressure * spread};
+}
+
 void Contact::place_friction() {
   placed_ = true;
-  double whole = 0, weights[kMostPoints];
-  for (int i = 0; i < count; ++i) whole += points[i].last;
-  for (int i = 0; i < count; ++i) weights[i] = whole > 0 ? points[i].last / whole : 1.0 / count;
-  Vec3 place;  // one for both, or friction across a gap would turn them
-  for (int i = 0; i < count; ++i) place += (a->position + points[i].arm_a + b->position + points[i].arm_b) * (weights[i] / 2);
-  arm_a_ = place - a->position;
-  arm_b_ = place - b->position;
+  const Place place = friction_place(&TouchPoint::last);
+  arm_a_ = place.arm_a;
+  arm_b_ = place.arm_b;
+  lever_ = place.lever;
   // What rides on a turning carrier goes round with it: its way in a substep is that of the middle of it, or it would
   // spiral outwards.
   if (!b->pushable && !(b->spin == Vec3{})) arm_b_ += (a->velocity_at(points[0].hub_a) - b->velocity) * ahead_;
   if (!a->pushable && !(a->spin == Vec3{})) arm_a_ += (b->velocity_at(points[0].hub_b) - a->velocity) * ahead_;
-  Vec3 middle;
-  for (int i = 0; i < count; ++i) middle += points[i].arm_a * weights[i];
-  double spread = 0;
-  for (int i = 0; i < count; ++i) spread += weights[i] * length(points[i].arm_a - middle);
-  lever_ = kEvenPressure * spread;
 
   const Vec3 linear[3] = {tangent_1, tangent_2, {}};
   const Vec3 angular_a[3] = {cross(arm_a_, tangent_1), cross(arm_a_, tangent_2), normal * lever_};

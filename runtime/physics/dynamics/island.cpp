@@ -9,9 +9,6 @@ namespace tumble::dynamics {
 
 namespace {
 
-// A contact swings this many times in a substep, so that its stiffness grows with the number of substeps.
-constexpr double kContactFrequency = 0.25;
-constexpr double kContactDamping = 10;
 // At most so far, in radians, may a jointed gyroscope swing in a substep; and at most so many times the substeps.
 constexpr double kMostSwing = 0.6;
 constexpr int kWhipTimes = 8;
@@ -153,7 +150,7 @@ void move(Island& island, double h) {
 }
 
 void substep(Island& island, double h, int rounds) {
-  const Softness soft = softness(kContactFrequency / h, kContactDamping, h);
+  const Softness soft = contact_softness(h);
   for (Mechanism* mechanism : island.mechanisms) mechanism->begin();
   for (const auto& look : island.looks) look(h);
   for (Contact* contact : island.contacts) contact->begin(h);

@@ -6,18 +6,6 @@ namespace tumble::dynamics {
 
 namespace {
 
-// The mean velocity over h and the last one, of v' = a - k v: mean = v * mean_kept + a * mean_gained, and so on.
-struct Flight {
-  double mean_kept, mean_gained, kept, gained;
-};
-
-Flight flight(double k, double h) {
-  const double x = k * h;
-  if (x < 1e-6) return {1 - x / 2, h * (0.5 - x / 6), 1 - x, h * (1 - x / 2)};
-  const double kept = std::exp(-x), lost = -std::expm1(-x);
-  return {lost / x, (1 - lost / x) / k, kept, lost / k};
-}
-
 // Nothing turns what has no moment: a body without colliders.
 double reciprocal(double moment) { return moment > 0 ? 1 / moment : 0; }
 
@@ -64,6 +52,13 @@ Vec3 free_part(const Mover& mover, Vec3 acceleration) {
 }
 
 }  // namespace
+
+Flight flight(double k, double h) {
+  const double x = k * h;
+  if (x < 1e-6) return {1 - x / 2, h * (0.5 - x / 6), 1 - x, h * (1 - x / 2)};
+  const double kept = std::exp(-x), lost = -std::expm1(-x);
+  return {lost / x, (1 - lost / x) / k, kept, lost / k};
+}
 
 void Mover::refresh() {
   if (!pushable) return;

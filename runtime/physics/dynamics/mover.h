@@ -25,6 +25,7 @@ struct Mover {
   int island = -1;             // of what can be pushed
   int stirred = 0;             // the last round of the solver that changed its velocity much
   bool bound = false;          // a joint holds it
+  int record = 0;              // of a heap
 
   // The inverse inertia at the rotation that it has now.
   void refresh();
@@ -37,6 +38,12 @@ struct Mover {
   void shift(Vec3 way, Vec3 turn);
   Vec3 velocity_at(Vec3 arm) const { return velocity + cross(spin, arm); }
 };
+
+// The mean velocity over h and the last one, of v' = a - k v: mean = v * mean_kept + a * mean_gained, and so on.
+struct Flight {
+  double mean_kept, mean_gained, kept, gained;
+};
+Flight flight(double damping, double h);
 
 // A step of h is a kick by half of what the forces give, a drift with the velocity that then is, and the other half: the
 // drift is h times the mean velocity, so that free flight under a constant force and damping is exact at any h

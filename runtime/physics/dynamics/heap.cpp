@@ -1,0 +1,341 @@
+#include "physics/dynamics/heap.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+
+#include "physics/dynamics/rotation.h"
+
+namespace tumble::dynamics {
+
+namespace {
+
+constexpr std::size_t kFewest = 8;   // contacts
+// Rounds go on, where it still runs, while speeds change by more than so many m/s for each second of a substep: a few rounds
+// until a stack does not tremble, and many while a blow goes through it.
+constexpr double kQuiet = 1, kLoose = 5;
+constexpr int kFewRounds = 4, kMostRounds = 40;  // times what was asked for
+constexpr int kColors = 63;          // and one more for what has neighbours in all of them, a contact to a batch
+
+bool plain(const Mover& mover) {
+  if (!mover.pushable) return true;
+  const Vec3 i = mover.inertia, m = mover.inverse_mass;
+  return mover.turn_factor == Vec3{1, 1, 1} && m.x > 0 && m.x == m.y && m.x == m.z && i.x > 0 && i.y > 0 && i.z > 0 && !mover.bound;
+}
+
+void set(Motion& motion, double along, double about) {
+  for (int k = 0; k < 3; ++k) {
+    motion.along[k] = static_cast<float>(along);
+    motion.about[k] = static_cast<float>(about);
+  }
+}
+void set(float* to, Vec3 v) {
+  to[0] = static_cast<float>(v.x);
+  to[1] = static_cast<float>(v.y);
+  to[2] = static_cast<float>(v.z);
+}
+Vec3 get(const float* v) { return {v[0], v[1], v[2]}; }
+
+}  // namespace
+
+bool is_heap(const Island& island) {
+  if (island.contacts.size() < kFewest || !island.mechanisms.empty() || island.bouncy) return false;
+  if (!island.looks.empty() && island.contacts.size() < 60) return false;
+  return std::all_of(island.movers.begin(), island.movers.end(), [](const Mover* mover) { return plain(*mover); });
+}
+
+template <class F>
+void HeapOf<F>::add(Island& island) {
+  if (records_.empty()) records_.push_back({});  // of all that cannot be pushed
+  for (Mover* mover : island.movers) {
+    mover->record = 0;
+    if (!mover->pushable) continue;
+    mover->record = static_cast<int>(records_.size());
+    const Vec3 i = mover->inertia;
+    const Quat q = mover->rotation;
+    records_.push_back({mover,
+                        {q * Vec3{1 / std::sqrt(i.x), 0, 0}, q * Vec3{0, 1 / std::sqrt(i.y), 0}, q * Vec3{0, 0, 1 / std::sqrt(i.z)}},
+                        std::sqrt(mover->inverse_mass.x), {}});
+  }
+  for (Contact* contact : island.contacts)
+    if (contact->count > 0) members_.push_back({contact});
+}
+
+template <class F>
+void HeapOf<F>::set_drive(std::size_t i, double h) {
+  const Record& record = records_[i];
+  const Mover& mover = *record.mover;
+  const Flight f = flight(mover.damping, h), turning = flight(mover.angular_damping, h);
+  const Vec3 pull = mover.acceleration / record.root_mass;
+  const Vec3 twist{dot(record.across[0], mover.torque), dot(record.across[1], mover.torque), dot(record.across[2], mover.torque)};
+  Drive& drive = drives_[i];
+  set(drive.kept, f.kept, turning.kept);
+  set(drive.gained.along, pull * f.gained);
+  set(drive.gained.about, twist * turning.gained);
+  const double along = f.mean_kept / f.kept, about = turning.mean_kept / turning.kept;
+  set(drive.mean_kept, along, about);
+  set(drive.mean_gained.along, pull * (f.mean_gained - f.gained * along));
+  set(drive.mean_gained.about, twist * (turning.mean_gained - turning.gained * about));
+}
+
+template <class F>
+void HeapOf<F>::set_up(double h) {
+  const std::size_t count = records_.size();
+  drives_.assign(count, {});
+  velocities_.assign(count, {});
+  free_.assign(count, {});
+  held_.assign(count, {});
+  stirred_.assign(count, -1);
+  ways_.assign(count, {});
+  for (std::size_t i = 1; i < count; ++i) {
+    const Record& record = records_[i];
+    const Mover& mover = *record.mover;
+    set_drive(i, h);
+    set(velocities_[i].along, mover.velocity / record.root_mass);
+    const Vec3 own = conjugate(mover.rotation) * mover.spin, m = mover.inertia;
+    set(velocities_[i].about, {own.x * std::sqrt(m.x), own.y * std::sqrt(m.y), own.z * std::sqrt(m.z)});
+  }
+  color();
+  make_batches();
+  for (Member& member : members_) fill(batches_[static_cast<std::size_t>(member.batch)], member.lane, member, h);
+}
+
+// Each contact takes the first color that neither of its bodies has yet.
+template <class F>
+void HeapOf<F>::color() {
+  std::vector<std::uint64_t> taken(records_.size());
+  for (Member& member : members_) {
+    const auto a = static_cast<std::size_t>(member.contact->a->pushable ? member.contact->a->record : 0);
+    const auto b = static_cast<std::size_t>(member.contact->b->pushable ? member.contact->b->record : 0);
+    const std::uint64_t both = taken[a] | taken[b];
+    member.color = std::min(kColors, std::countr_one(both));
+    if (member.color == kColors) continue;
+    if (a) taken[a] |= std::uint64_t{1} << member.color;
+    if (b) taken[b] |= std::uint64_t{1} << member.color;
+  }
+}
+
+template <class F>
+void HeapOf<F>::make_batches() {
+  std::stable_sort(members_.begin(), members_.end(), [](const Member& x, const Member& y) {
+    return x.color != y.color ? x.color < y.color : x.contact->count > y.contact->count;
+  });
+  batches_.clear();
+  int rows = 0, used = 0, color = -1;
+  for (Member& member : members_) {
+    if (member.color != color || used == kLanes<F> || color == kColors) {
+      color = member.color;
+      used = 0;
+      batches_.push_back({});
+      batches_.back().first = rows;
+      batches_.back().count = member.contact->count;  // the most: the others follow
+      rows += member.contact->count;
+    }
+    member.batch = static_cast<int>(batches_.size()) - 1;
+    member.lane = used++;
+  }
+  rows_.assign(static_cast<std::size_t>(rows), {});
+}
+
+template <class F>
+void HeapOf<F>::fill(Batch<F>& batch, int i, Member& member, double h) {
+  Contact& contact = *member.contact;
+  const Mover &a = *contact.a, &b = *contact.b;
+  const Record &of_a = record_of(a), &of_b = record_of(b);
+  batch.a[i] = a.pushable ? a.record : 0;
+  batch.b[i] = b.pushable ? b.record : 0;
+  const double root_a = a.pushable ? of_a.root_mass : 0, root_b = b.pushable ? of_b.root_mass : 0;
+  const double lightness = root_a * root_a + root_b * root_b;
+  const auto put = [i](F& to, double value) { lane(to, i) = static_cast<float>(value); };
+  set_lane(batch.normal, i, contact.normal.x, contact.normal.y, contact.normal.z);
+  set_lane(batch.tangent_1, i, contact.tangent_1.x, contact.tangent_1.y, contact.tangent_1.z);
+  set_lane(batch.tangent_2, i, contact.tangent_2.x, contact.tangent_2.y, contact.tangent_2.z);
+  put(batch.root_a, root_a);
+  put(batch.root_b, root_b);
+  put(batch.lightness, lightness);
+  put(batch.fastest_push, contact.fastest_push);
+  put(batch.friction, contact.friction);
+  for (int k = 0; k < contact.count; ++k) {
+    TouchPoint& point = contact.points[k];
+    PointRow<F>& row = rows_[static_cast<std::size_t>(batch.first + k)];
+    const Vec3 ra = cross(point.arm_a, contact.normal), rb = cross(point.arm_b, contact.normal);
+    const Vec3 ja{dot(of_a.across[0], ra), dot(of_a.across[1], ra), dot(of_a.across[2], ra)};
+    const Vec3 jb{-dot(of_b.across[0], rb), -dot(of_b.across[1], rb), -dot(of_b.across[2], rb)};
+    set_lane(row.about_a, i, ja.x, ja.y, ja.z);
+    set_lane(row.about_b, i, jb.x, jb.y, jb.z);
+    const double mobility = lightness + dot(ja, ja) + dot(jb, jb);
+    put(row.mass, mobility > 0 ? 1 / mobility : 0);
+    put(row.gap, point.separation);
+    put(row.impulse, point.impulse * h);  // between steps a force
+    double drive = 0;
+    if (!a.pushable) drive -= dot(contact.normal, a.velocity_at(point.arm_a));
+    if (!b.pushable) drive += dot(contact.normal, b.velocity_at(point.arm_b));
+    put(row.drive, drive);
+  }
+  fill_friction(batch, i, member, h);
+}
+
+// As Contact::place_friction, where the points press as they did when the last step ended.
+template <class F>
+void HeapOf<F>::fill_friction(Batch<F>& batch, int i, Member& member, double h) {
+  const Contact& contact = *member.contact;
+  const Mover &a = *contact.a, &b = *contact.b;
+  const Record &of_a = record_of(a), &of_b = record_of(b);
+  const Contact::Place place = contact.friction_place(&TouchPoint::impulse);
+  member.lever = place.lever;
+  const Vec3 grip = contact.grip * h;
+  set_lane(batch.grip, i, grip.x, grip.y, place.lever > 0 ? grip.z / place.lever : 0);
+  const Vec3 ra[3] = {cross(place.arm_a, contact.tangent_1), cross(place.arm_a, contact.tangent_2), contact.normal * place.lever};
+  const Vec3 rb[3] = {cross(place.arm_b, contact.tangent_1), cross(place.arm_b, contact.tangent_2), contact.normal * place.lever};
+  Vec3 ja[3], jb[3];
+  for (int k = 0; k < 3; ++k) {
+    ja[k] = {dot(of_a.across[0], ra[k]), dot(of_a.across[1], ra[k]), dot(of_a.across[2], ra[k])};
+    jb[k] = {-dot(of_b.across[0], rb[k]), -dot(of_b.across[1], rb[k]), -dot(of_b.across[2], rb[k])};
+    set_lane(batch.about_a[k], i, ja[k].x, ja[k].y, ja[k].z);
+    set_lane(batch.about_b[k], i, jb[k].x, jb[k].y, jb[k].z);
+  }
+  const double lightness = lane(batch.lightness, i);
+  const auto speed = [&](int j, int k) { return dot(ja[j], ja[k]) + dot(jb[j], jb[k]) + (j == k && j < 2 ? lightness : 0); };
+  Symmetric slip{speed(0, 0), speed(1, 1), speed(2, 2), speed(0, 1), speed(0, 2), speed(1, 2)};
+  if (slip.zz <= 0) slip.zz = std::max(slip.xx, slip.yy);
+  const Symmetric stop = inverse(slip);
+  set_lane(batch.stop[0], i, stop.xx, stop.xy, stop.xz);
+  set_lane(batch.stop[1], i, stop.xy, stop.yy, stop.yz);
+  set_lane(batch.stop[2], i, stop.xz, stop.yz, stop.zz);
+  const double stiffest = std::max({slip.xx + std::abs(slip.xy) + std::abs(slip.xz), slip.yy + std::abs(slip.xy) + std::abs(slip.yz),
+                                    slip.zz + std::abs(slip.xz) + std::abs(slip.yz)});
+  lane(batch.careful, i) = static_cast<float>(stiffest > 0 ? 1 / stiffest : 0);
+  Vec3 belt = contact.belt;
+  double twist = 0;
+  if (!a.pushable) belt -= a.velocity_at(place.arm_a), twist -= dot(contact.normal, a.spin);
+  if (!b.pushable) belt += b.velocity_at(place.arm_b), twist += dot(contact.normal, b.spin);
+  set_lane(batch.belt, i, dot(belt, contact.tangent_1), dot(belt, contact.tangent_2), twist * place.lever);
+}
+
+template <class F>
+void HeapOf<F>::kick() {
+  for (std::size_t i = 1; i < records_.size(); ++i) {
+    const Drive& drive = drives_[i];
+    Motion &v = velocities_[i], &free = free_[i];
+    four(free.along) = four(v.along) * four(drive.kept.along) + four(drive.gained.along);
+    four(free.about) = four(v.about) * four(drive.kept.about) + four(drive.gained.about);
+    four(v.along) = four(free.along) + four(held_[i].along);
+    four(v.about) = four(free.about) + four(held_[i].about);
+  }
+}
+
+// With the velocity at the end, which is the one that contacts were solved for. What nothing touches flies with the mean.
+template <class F>
+void HeapOf<F>::drift(float h) {
+  for (std::size_t i = 1; i < records_.size(); ++i) {
+    const Motion &v = velocities_[i], &free = free_[i];
+    const bool touched = !std::equal(v.along, v.along + 3, free.along);
+    const Drive& drive = drives_[i];
+    four(ways_[i].along) += (touched ? four(v.along) : four(v.along) * four(drive.mean_kept.along) + four(drive.mean_gained.along)) * h;
+    four(ways_[i].about) += (touched ? four(v.about) : four(v.about) * four(drive.mean_kept.about) + four(drive.mean_gained.about)) * h;
+  }
+}
+
+// Which lanes have a body that a later round changed much? What others share the batch does not matter to any of them.
+template <class F>
+bool HeapOf<F>::find_stirred(const Batch<F>& batch, int round, F& lanes) const {
+  bool any = false;
+  for (int i = 0; i < kLanes<F>; ++i) {
+    const int last = std::max(stirred_[static_cast<std::size_t>(batch.a[i])], stirred_[static_cast<std::size_t>(batch.b[i])]);
+    lane(lanes, i) = last >= round ? 1.0f : 0.0f;
+    any |= last >= round;
+  }
+  return any;
+}
+
+// As solve_in_rounds in island.cpp, a batch at a time.
+template <class F>
+void HeapOf<F>::solve_in_rounds(int least, const Aim& aim) {
+  std::fill(stirred_.begin(), stirred_.end(), -1);
+  for (int round = 0; round < kMostRounds * least; ++round) {
+    const double loose = (round < kFewRounds * least ? kQuiet : kLoose) / aim.per_second;
+    bool any = false;
+    for (Batch<F>& batch : batches_) {
+      F takes_part = all<F>(1);
+      if (round >= least && !find_stirred(batch, round - 1, takes_part)) continue;
+      const F changed = solve(batch, rows_.data(), velocities_.data(), aim, takes_part);
+      for (int i = 0; i < kLanes<F>; ++i) {
+        if (lane(changed, i) < loose) continue;
+        if (batch.a[i]) stirred_[static_cast<std::size_t>(batch.a[i])] = round;
+        if (batch.b[i]) stirred_[static_cast<std::size_t>(batch.b[i])] = round;
+        any = true;
+      }
+    }
+    if (round + 1 >= least && !any) break;
+  }
+}
+
+template <class F>
+void HeapOf<F>::run(double seconds, int substeps, int rounds) {
+  if (records_.empty()) return;
+  const double h = seconds / substeps;
+  const auto step = static_cast<float>(h);
+  const Softness softness = contact_softness(h);
+  set_up(h);
+  for (int i = 0; i < substeps; ++i) {
+    for (const Batch<F>& batch : batches_) measure(batch, rows_.data(), ways_.data(), static_cast<float>(i) * step);
+    kick();
+    if (i == 0)
+      for (const Batch<F>& batch : batches_) warm_start(batch, rows_.data(), velocities_.data());
+    solve_in_rounds(rounds, {&softness, 1 / step});
+    drift(step);
+    solve_in_rounds(rounds, {nullptr, 1 / step});
+    for (const Batch<F>& batch : batches_) sum_up(batch, rows_.data());
+    for (std::size_t k = 1; k < records_.size(); ++k) {
+      four(held_[k].along) = four(velocities_[k].along) - four(free_[k].along);
+      four(held_[k].about) = four(velocities_[k].about) - four(free_[k].about);
+    }
+  }
+  finish(seconds, h);
+  records_.clear();
+  members_.clear();
+}
+
+// The spin follows from the angular momentum and from how it then is turned.
+template <class F>
+void HeapOf<F>::finish(double seconds, double h) {
+  for (const Batch<F>& batch : batches_) measure(batch, rows_.data(), ways_.data(), static_cast<float>(seconds));
+  for (std::size_t i = 1; i < records_.size(); ++i) {
+    Record& record = records_[i];
+    Mover& mover = *record.mover;
+    mover.position += get(ways_[i].along) * record.root_mass;
+    mover.velocity = get(velocities_[i].along) * record.root_mass;
+    const auto turned = [&](const float* about) { return record.across[0] * about[0] + record.across[1] * about[1] + record.across[2] * about[2]; };
+    const Vec3 spin = turned(velocities_[i].about), m = mover.inertia;
+    const Vec3 momentum = mover.rotation * scaled(m, conjugate(mover.rotation) * spin);
+    const Vec3 turn = turned(ways_[i].about);
+    record.turned = turned_by({}, turn);
+    mover.rotation = normalized(record.turned * mover.rotation);
+    mover.spin = mover.rotation * unscaled(conjugate(mover.rotation) * momentum, m);
+    mover.refresh();
+  }
+  for (const Member& member : members_) read_back(member, h);
+}
+
+template <class F>
+void HeapOf<F>::read_back(const Member& member, double h) {
+  Contact& contact = *member.contact;
+  const Batch<F>& batch = batches_[static_cast<std::size_t>(member.batch)];
+  const double force = 1 / h;  // between steps
+  for (int k = 0; k < contact.count; ++k) {
+    TouchPoint& point = contact.points[k];
+    const PointRow<F>& row = rows_[static_cast<std::size_t>(batch.first + k)];
+    point.impulse = lane(row.impulse, member.lane) * force;
+    point.sum = lane(row.sum, member.lane);
+    point.separation = lane(row.separation, member.lane);
+    if (contact.a->pushable) point.arm_a = record_of(*contact.a).turned * point.arm_a;
+    if (contact.b->pushable) point.arm_b = record_of(*contact.b).turned * point.arm_b;
+  }
+  const auto both = [&](F Triple<F>::*of) { return lane(batch.grip.*of, member.lane) * force; };
+  contact.grip = {both(&Triple<F>::x), both(&Triple<F>::y), both(&Triple<F>::z) * member.lever};
+}
+
+template class HeapOf<Four>;
+template class HeapOf<float>;
+
+}  // namespace tumble::dynamics

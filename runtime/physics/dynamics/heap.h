@@ -1,0 +1,71 @@
+// Islands of many contacts and no joints: the same substeps as in island.h, four contacts at a time.
+//
+// What is dearer than a heap needs is left out: normals, arms and friction's place stay for the whole step as the look
+// found them, only separations follow; numbers are floats; friction is one ellipsoid; nothing bounces. Positions stay
+// double. Where that is not enough, takes() says no.
+#pragma once
+
+#include <vector>
+
+#include "physics/dynamics/batch.h"
+#include "physics/dynamics/island.h"
+
+namespace tumble::dynamics {
+
+template <class F>
+class HeapOf {
+ public:
+  // One or more islands that take the same number of substeps; none of them knows of the others.
+  void add(Island& island);
+  // All that was added, which is forgotten then.
+  void run(double seconds, int substeps, int rounds);
+
+ private:
+  struct Record {
+    Mover* mover;
+    Vec3 across[3];          // principal axes over the roots of their moments: from a moment to scaled spin
+    double root_mass;        // of the inverse mass
+    Quat turned;             // in the step
+  };
+  struct Drive {             // of a scaled motion in a substep, without contacts: velocity * kept + gained
+    Motion kept, gained;
+    Motion mean_kept, mean_gained;  // from the velocity at the end to the mean, if nothing touches it
+  };
+  struct Member {            // a contact, and where its numbers are
+    Contact* contact;
+    int color = 0, batch = 0, lane = 0;
+    double lever = 0;        // m, of the friction
+  };
+
+  const Record& record_of(const Mover& mover) const { return records_[static_cast<std::size_t>(mover.pushable ? mover.record : 0)]; }
+  void set_up(double h);
+  void set_drive(std::size_t i, double h);
+  void color();
+  void make_batches();
+  void fill(Batch<F>& batch, int lane, Member& member, double h);
+  void fill_friction(Batch<F>& batch, int lane, Member& member, double h);
+  void kick();
+  void drift(float h);
+  bool find_stirred(const Batch<F>& batch, int round, F& lanes) const;
+  void solve_in_rounds(int least, const Aim& aim);
+  void finish(double seconds, double h);
+  void read_back(const Member& member, double h);
+
+  std::vector<Record> records_;
+  std::vector<Drive> drives_;
+  std::vector<Motion> velocities_, free_, held_, ways_;  // without contacts, and what these gave in the substep before
+  std::vector<int> stirred_;  // the last round that changed a body's velocity much
+  std::vector<Member> members_;
+  std::vector<Batch<F>> batches_;
+  std::vector<PointRow<F>> rows_;
+};
+
+using Heap = HeapOf<Four>;
+
+// Is it large and plain enough?
+bool is_heap(const Island& island);
+
+extern template class HeapOf<Four>;
+extern template class HeapOf<float>;
+
+}  // namespace tumble::dynamics
