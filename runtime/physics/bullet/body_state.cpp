@@ -1,5 +1,7 @@
 #include "physics/bullet/body_state.h"
 
+#include "physics/bullet/convex_pair.h"
+
 #include <algorithm>
 
 namespace tumble {
@@ -44,11 +46,24 @@ Vec3 BodyState::velocity_at(Vec3 point) const {
   return from_bullet(rigid->getVelocityInLocalPoint(arm));
 }
 
-void BodyState::place(const btTransform& center) {
-  rigid->setWorldTransform(center);
-  rigid->setInterpolationWorldTransform(center);
-  rigid->updateInertiaTensor();
-  if (ghost) ghost->setWorldTransform(center);
+void BodyState::place(const btTransform& at) {
+  ++placed;
+  travel = 0;
+  center = from_bullet(at);
+  rigid->setWorldTransform(at);
+  if (ghost) ghost->setWorldTransform(at);
+}
+
+void BodyState::go(const Pose& to) {
+  // A chord of quaternions is half the angle, for the small turns that matter.
+  const Quat &from = center.rotation, &there = to.rotation;
+  const double sign = dot(from, there) < 0 ? -1 : 1;
+  const Quat chord{there.x - sign * from.x, there.y - sign * from.y, there.z - sign * from.z, there.w - sign * from.w};
+  travel += distance(to.position, center.position) + 2 * length(chord) * extent;
+  center = to;
+  const btTransform at = to_bullet(to);
+  rigid->setWorldTransform(at);
+  if (ghost) ghost->setWorldTransform(at);
 }
 
 bool same_shapes(const BodyDef& a, const BodyDef& b) {
@@ -59,6 +74,7 @@ bool same_shapes(const BodyDef& a, const BodyDef& b) {
 }
 
 void apply_numbers(BodyState& body) {
+  body.has_belt = !(body.def.surface_velocity == Vec3{});
   btRigidBody& rigid = *body.rigid;
   if (body.dynamic()) rigid.setMassProps(body.mass.mass, to_bullet(body.mass.inertia));
   rigid.setLinearFactor(to_bullet(linear_factor(body.def)));
@@ -99,6 +115,10 @@ void build(BodyState& body, const Pose& pose) {
   body.triggers = std::move(triggers);
   apply_numbers(body);
   body.last_good = info.m_startWorldTransform;
+  body.center = from_bullet(info.m_startWorldTransform);
+  const std::vector<Piece>& pieces = body.solids->pieces();
+  body.is_convex = pieces.size() == 1 && convex_of(*pieces[0].shape, body.convex);
+  body.convex_at = body.is_convex ? from_bullet(pieces[0].local) : Pose{};
   btVector3 low, high;
   body.rigid->getCollisionShape()->getAabb(btTransform::getIdentity(), low, high);
   body.extent = std::max(low.length(), high.length());

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "physics/bullet/shapes.h"
+#include "physics/pairs/convex.h"
 #include "physics/world.h"
 
 namespace tumble {
@@ -28,6 +29,19 @@ struct BodyWire {
 };
 
 struct BodyState {
+  // What each look at a pair needs, side by side.
+  double travel = 0;              // m, how far its surface has gone in all steps
+  double ahead = 0;               // m, how far it goes in the next, as it moves now
+  unsigned placed = 0;            // how often it was put somewhere other than by the solver
+  bool in_heap = false;           // the last step solved it in one; see dynamics/heap.h
+  bool is_convex = false;         // its solids are the one shape `convex`
+  bool has_belt = false;          // its surface runs
+  dynamics::Mover* mover = nullptr;    // during a step
+  double extent = 0;              // distance of its outermost point from its centre, m
+  Pose center;                    // where its centre of mass and its principal axes are
+  pairs::Convex convex;
+  Pose convex_at;                 // in the frame of `center`
+
   BodyDef def;
   const Materials* materials = nullptr;  // the world's
   std::uint64_t user = 0;
@@ -47,8 +61,6 @@ struct BodyState {
   Vec3 force, torque;             // for the whole next step
   Vec3 start_velocity, start_turning;  // before the step
   btTransform last_good;          // before the step, finite
-  dynamics::Mover* mover = nullptr;    // during a step
-  double extent = 0;              // distance of its outermost point from its centre, m
   btTransform still_at;           // where it began to be still
   double still_seconds = 0;       // how long it has hardly moved from there
   bool was_asleep = false;
@@ -61,11 +73,13 @@ struct BodyState {
 
   bool dynamic() const { return def.type == BodyType::dynamic; }
   bool awake() const { return enabled && rigid->isActive(); }
+  Pose convex_pose() const { return center * convex_at; }
   Pose pose() const { return from_bullet(rigid->getWorldTransform()) * inverse(frame); }
   btTransform to_center(const Pose& pose) const { return to_bullet(pose * frame); }
   Vec3 velocity_at(Vec3 point) const;
   // Moves Bullet's object and the ghost there, no more.
   void place(const btTransform& center);
+  void go(const Pose& center);    // the same, at the end of a step
 };
 
 // (Re)builds everything that follows from `def`, at a pose; not in any world yet.

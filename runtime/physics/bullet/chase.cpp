@@ -14,30 +14,32 @@ constexpr double kAhead = 2, kNear = 2e-3;  // of the way in a substep; m
 
 }  // namespace
 
-bool Chase::find_part(const BodyState& body, int part, int index, Part& out) {
+bool Chase::find_part(const Where& where, Part& out) {
+  const BodyState& body = where.body;
   const btCollisionShape* shape = body.rigid->getCollisionShape();
-  if (part >= 0) return false;
+  if (where.part >= 0) return false;
   if (shape->isCompound()) {
-    if (index < 0 || index >= static_cast<int>(body.solids->pieces().size())) return false;
-    const Piece& piece = body.solids->pieces()[static_cast<std::size_t>(index)];
+    if (where.index < 0 || where.index >= static_cast<int>(body.solids->pieces().size())) return false;
+    const Piece& piece = body.solids->pieces()[static_cast<std::size_t>(where.index)];
     shape = piece.shape;
     out.local = from_bullet(piece.local);
   }
-  out.fixed = from_bullet(body.rigid->getWorldTransform());
+  out.fixed = body.center;
   out.corner = shape->isPolyhedral();
   return convex_of(*shape, out.shape);
 }
 
-std::optional<Chase> Chase::of(const BodyState& a, const BodyState& b, const btManifoldPoint& point, double seconds) {
-  if (point.getDistance() <= 0) return {};
-  const double speed = (a.rigid->getLinearVelocity() - b.rigid->getLinearVelocity()).length() +
-                       a.rigid->getAngularVelocity().length() * a.extent + b.rigid->getAngularVelocity().length() * b.extent;
+std::optional<Chase> Chase::of(const Where& a, const Where& b, double apart, double seconds) {
+  if (apart <= 0) return {};
+  const btRigidBody &rigid_a = *a.body.rigid, &rigid_b = *b.body.rigid;
+  const double speed = (rigid_a.getLinearVelocity() - rigid_b.getLinearVelocity()).length() +
+                       rigid_a.getAngularVelocity().length() * a.body.extent + rigid_b.getAngularVelocity().length() * b.body.extent;
   double size = INFINITY;
-  for (const BodyState* body : {&a, &b})
+  for (const BodyState* body : {&a.body, &b.body})
     if (body->dynamic()) size = std::min(size, body->extent);
   if (speed * seconds < kFar * size) return {};
   Chase chase;
-  if (!find_part(a, point.m_partId0, point.m_index0, chase.a_) || !find_part(b, point.m_partId1, point.m_index1, chase.b_)) return {};
+  if (!find_part(a, chase.a_) || !find_part(b, chase.b_)) return {};
   return chase;
 }
 

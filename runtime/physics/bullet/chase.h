@@ -15,7 +15,11 @@ namespace tumble {
 class Chase {
  public:
   // Of two single convex parts; nothing where the bodies are slow, or where one of them is a mesh.
-  static std::optional<Chase> of(const BodyState& a, const BodyState& b, const btManifoldPoint& point, double seconds);
+  struct Where {           // a body, and which of its parts: as Bullet tells it
+    const BodyState& body;
+    int part = -1, index = -1;
+  };
+  static std::optional<Chase> of(const Where& a, const Where& b, double apart, double seconds);
 
   // Makes the contact what it is now; it may be without points, and get some later.
   void look(dynamics::Contact& contact, double h);
@@ -29,7 +33,7 @@ class Chase {
     Pose pose(const dynamics::Mover& mover) const;
     Vec3 hub(const Pose& pose, Vec3 center, Vec3 arm) const;
   };
-  static bool find_part(const BodyState& body, int part, int index, Part& out);
+  static bool find_part(const Where& where, Part& out);
 
   Part a_, b_;
   pairs::Cache cache_;

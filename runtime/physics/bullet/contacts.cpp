@@ -12,16 +12,6 @@ constexpr double kStillTouching = 0.005;
 // Points of two substeps that are nearer than this are one point, m.
 constexpr double kSamePoint = 0.02;
 
-bool touches(const btPersistentManifold& manifold, bool trigger, bool already) {
-  for (int i = 0; i < manifold.getNumContacts(); ++i) {
-    const btManifoldPoint& point = manifold.getContactPoint(i);
-    if (point.getDistance() <= 0) return true;
-    if (trigger) continue;
-    if (point.getAppliedImpulse() > 0 || (already && point.getDistance() <= kStillTouching)) return true;
-  }
-  return false;
-}
-
 void add_point(ContactEvent& event, Vec3 position, double impulse) {
   for (ContactPoint& known : event.points)
     if (distance(known.point, position) < kSamePoint) {
@@ -32,7 +22,7 @@ void add_point(ContactEvent& event, Vec3 position, double impulse) {
 }
 
 Vec3 start_velocity_at(const BodyState& body, Vec3 point) {
-  return body.start_velocity + cross(body.start_turning, point - from_bullet(body.rigid->getWorldTransform().getOrigin()));
+  return body.start_velocity + cross(body.start_turning, point - body.center.position);
 }
 
 int collider(const BodyState& body, const btCollisionObject* object, int part, int index) {
@@ -41,11 +31,9 @@ int collider(const BodyState& body, const btCollisionObject* object, int part, i
 
 // Bodies overlap by what a substep lets them sink in. The place told is on the surface of the one that does not move, so
 // that a mark put there is seen; between two that move it is the middle.
-Vec3 place_of(const btManifoldPoint& found, const btPersistentManifold& manifold) {
-  const Vec3 on_a = from_bullet(found.getPositionWorldOnA()), on_b = from_bullet(found.getPositionWorldOnB());
-  const bool moves_a = state_of(manifold.getBody0())->dynamic(), moves_b = state_of(manifold.getBody1())->dynamic();
-  if (moves_a == moves_b) return (on_a + on_b) * 0.5;
-  return moves_a ? on_b : on_a;
+Vec3 place_of(const BodyState& a, const BodyState& b, Vec3 on_a, Vec3 on_b) {
+  if (a.dynamic() == b.dynamic()) return (on_a + on_b) * 0.5;
+  return a.dynamic() ? on_b : on_a;
 }
 
 ContactEvent exit_of(const Pair& pair) {
@@ -77,6 +65,25 @@ void erase_value(std::vector<T*>& list, T* value) {
 
 }  // namespace
 
+// Two bodies and their contact, from wherever it is kept.
+struct ContactBook::Found {
+  struct Point {
+    double distance, impulse;
+    Vec3 on_a, on_b, normal;   // from b to a
+    int collider_a, collider_b;
+  };
+  BodyState *a, *b;
+  bool trigger = false;
+  int count = 0;
+  Point points[4];
+  bool touches(bool already) const {
+    return std::any_of(points, points + count, [&](const Point& point) {
+      if (point.distance <= 0) return true;
+      return !trigger && (point.impulse > 0 || (already && point.distance <= kStillTouching));
+    });
+  }
+};
+
 Pair* ContactBook::find(const BodyState& a, const BodyState& b, bool trigger) {
   for (Pair* pair : (a.pairs.size() < b.pairs.size() ? a : b).pairs)
     if (pair->a == &a && pair->b == &b && pair->trigger == trigger) return pair;
@@ -104,28 +111,62 @@ void ContactBook::drop(Pair& pair) {
   pairs_.pop_back();
 }
 
-void ContactBook::observe(btDispatcher& dispatcher) {
-  for (int i = 0; i < dispatcher.getNumManifolds(); ++i) observe(*dispatcher.getManifoldByIndexInternal(i));
+void ContactBook::observe(PairDispatcher& pairs) {
+  for (const KeptContact* kept : pairs.kept) {
+    if (kept->contact.count == 0 || (!kept->a->rigid->isActive() && !kept->b->rigid->isActive())) continue;
+    Found found;
+    read(*kept, found);
+    observe(found);
+  }
+  for (int i = 0; i < pairs.getNumManifolds(); ++i) {
+    btPersistentManifold& manifold = *pairs.getManifoldByIndexInternal(i);
+    if (manifold.getNumContacts() == 0 || (!manifold.getBody0()->isActive() && !manifold.getBody1()->isActive())) continue;
+    Found found;
+    read(manifold, found);
+    observe(found);
+  }
 }
 
-void ContactBook::observe(btPersistentManifold& manifold) {
-  if (manifold.getNumContacts() == 0) return;
-  const btCollisionObject *first = manifold.getBody0(), *second = manifold.getBody1();
-  if (!first->isActive() && !second->isActive()) return;
-  BodyState *a = state_of(first), *b = state_of(second);
-  const bool trigger = is_ghost(first) || is_ghost(second);
+void ContactBook::read(const KeptContact& kept, Found& found) {
+  found.a = kept.a;
+  found.b = kept.b;
+  const int collider_a = kept.a->solids->pieces()[0].collider, collider_b = kept.b->solids->pieces()[0].collider;
+  for (int i = 0; i < kept.contact.count; ++i) {
+    const dynamics::TouchPoint& point = kept.contact.points[i];
+    found.points[found.count++] = {point.separation, point.sum, kept.a->center.position + point.arm_a, kept.b->center.position + point.arm_b,
+                                   kept.contact.normal, collider_a, collider_b};
+  }
+}
+
+void ContactBook::read(btPersistentManifold& manifold, Found& found) {
+  const btCollisionObject *a = manifold.getBody0(), *b = manifold.getBody1();
+  found.a = state_of(a);
+  found.b = state_of(b);
+  found.trigger = is_ghost(a) || is_ghost(b);
+  for (int i = 0; i < manifold.getNumContacts(); ++i) {
+    const btManifoldPoint& point = manifold.getContactPoint(i);
+    found.points[found.count++] = {point.getDistance(), point.getAppliedImpulse(), from_bullet(point.getPositionWorldOnA()),
+                                   from_bullet(point.getPositionWorldOnB()), from_bullet(point.m_normalWorldOnB),
+                                   collider(*found.a, a, point.m_partId0, point.m_index0), collider(*found.b, b, point.m_partId1, point.m_index1)};
+  }
+}
+
+void ContactBook::observe(const Found& found) {
+  BodyState *a = found.a, *b = found.b;
   const bool swapped = a->serial > b->serial;
   if (swapped) std::swap(a, b);
-  Pair* pair = find(*a, *b, trigger);
-  if (!touches(manifold, trigger, pair != nullptr)) return;
-  note(pair ? *pair : make(*a, *b, trigger), manifold, swapped);
+  Pair* pair = find(*a, *b, found.trigger);
+  if (!found.touches(pair != nullptr)) return;
+  note(pair ? *pair : make(*a, *b, found.trigger), found, swapped);
 }
 
-void ContactBook::note(Pair& pair, btPersistentManifold& manifold, bool swapped) {
+void ContactBook::note(Pair& pair, const Found& found, bool swapped) {
   ContactEvent& event = pair.event;
-  const bool first_in_step = pair.seen != step_;
-  if (first_in_step) {
+  if (pair.seen != step_) {
+    std::vector<ContactPoint> points = std::move(event.points);  // its memory
+    points.clear();
     event = {};
+    event.points = std::move(points);
     event.trigger = pair.trigger;
     event.a = pair.a->id;
     event.user_a = pair.a->user;
@@ -135,26 +176,24 @@ void ContactBook::note(Pair& pair, btPersistentManifold& manifold, bool swapped)
     pair.seen = step_;
   }
 
-  for (int i = 0; i < manifold.getNumContacts(); ++i) {
-    const btManifoldPoint& found = manifold.getContactPoint(i);
-    if (pair.trigger && found.getDistance() > 0) continue;
-    const Vec3 point = place_of(found, manifold);
-    const Vec3 normal = from_bullet(found.m_normalWorldOnB) * (swapped ? 1.0 : -1.0);
+  for (int i = 0; i < found.count; ++i) {
+    const Found::Point& at = found.points[i];
+    if (pair.trigger && at.distance > 0) continue;
+    const Vec3 point = place_of(*found.a, *found.b, at.on_a, at.on_b);
+    const Vec3 normal = swapped ? at.normal : -at.normal;
     const Vec3 relative = start_velocity_at(*pair.b, point) - start_velocity_at(*pair.a, point);
     if (!pair.trigger) {
-      event.impulse += found.getAppliedImpulse();
-      add_point(event, point, found.getAppliedImpulse());
+      event.impulse += at.impulse;
+      add_point(event, point, at.impulse);
       event.speed = std::max(event.speed, -dot(relative, normal));
     }
-    if (found.getDistance() >= pair.depth) continue;
-    pair.depth = found.getDistance();
+    if (at.distance >= pair.depth) continue;
+    pair.depth = at.distance;
     event.point = point;
     event.normal = normal;
     event.velocity = relative;
-    const int c0 = collider(*state_of(manifold.getBody0()), manifold.getBody0(), found.m_partId0, found.m_index0);
-    const int c1 = collider(*state_of(manifold.getBody1()), manifold.getBody1(), found.m_partId1, found.m_index1);
-    event.collider_a = swapped ? c1 : c0;
-    event.collider_b = swapped ? c0 : c1;
+    event.collider_a = swapped ? at.collider_b : at.collider_a;
+    event.collider_b = swapped ? at.collider_a : at.collider_b;
   }
 }
 

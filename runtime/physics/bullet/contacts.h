@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "physics/bullet/body_state.h"
+#include "physics/bullet/step_world.h"
 
 namespace tumble {
 
@@ -23,7 +23,7 @@ class ContactBook {
  public:
   void begin_step() { ++step_; }
   // After a step: what was found and solved.
-  void observe(btDispatcher& dispatcher);
+  void observe(PairDispatcher& pairs);
   void end_step(Events& events);
   // The body leaves or jumps: its pairs end now.
   void end_pairs(BodyState& body, Events& events);
@@ -34,8 +34,11 @@ class ContactBook {
   Pair* find(const BodyState& a, const BodyState& b, bool trigger);
   Pair& make(BodyState& a, BodyState& b, bool trigger);
   void drop(Pair& pair);
-  void observe(btPersistentManifold& manifold);
-  void note(Pair& pair, btPersistentManifold& manifold, bool swapped);
+  struct Found;
+  void observe(const Found& found);
+  void note(Pair& pair, const Found& found, bool swapped);
+  static void read(btPersistentManifold& manifold, Found& found);
+  static void read(const KeptContact& kept, Found& found);
 
   std::vector<std::unique_ptr<Pair>> pairs_;
   std::uint64_t step_ = 0;

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 
-
-
 namespace tumble {
 
 namespace {
@@ -56,7 +54,7 @@ const ColliderDef* collider_at(const BodyState& body, int part, int index) {
 
 // A moving belt: friction pulls towards the difference of the two surfaces' own velocities.
 void set_belt(btManifoldPoint& point, const BodyState& a, const BodyState& b) {
-  const Vec3 belt = b.pose().rotation * b.def.surface_velocity - a.pose().rotation * a.def.surface_velocity;
+  const Vec3 belt = belt_between(a, b);
   const btVector3 normal = point.m_normalWorldOnB, along = to_bullet(belt) - normal * normal.dot(to_bullet(belt));
   if (along.length2() < 1e-18) return;
   point.m_lateralFrictionDir1 = along.normalized();
@@ -73,11 +71,22 @@ bool contact_added(btManifoldPoint& point, const btCollisionObjectWrapper* wrap_
   const BodyState &a = *state_of(object_a), &b = *state_of(object_b);
   const ColliderDef *ca = collider_at(a, part_a, index_a), *cb = collider_at(b, part_b, index_b);
   point.m_combinedFriction = friction(a, ca, b, cb);
-  if (!(a.def.surface_velocity == Vec3{}) || !(b.def.surface_velocity == Vec3{})) set_belt(point, a, b);
+  if (a.has_belt || b.has_belt) set_belt(point, a, b);
   return true;
 }
 
 }  // namespace
+
+Surface surface_between(const BodyState& a, const BodyState& b) {
+  const ColliderDef *ca = &a.def.colliders[static_cast<std::size_t>(a.solids->pieces()[0].collider)];
+  const ColliderDef *cb = &b.def.colliders[static_cast<std::size_t>(b.solids->pieces()[0].collider)];
+  return {friction(a, ca, b, cb), restitution(a, ca, b, cb)};
+}
+
+Vec3 belt_between(const BodyState& a, const BodyState& b) {
+  if (!a.has_belt && !b.has_belt) return {};
+  return b.pose().rotation * b.def.surface_velocity - a.pose().rotation * a.def.surface_velocity;
+}
 
 double contact_restitution(const btPersistentManifold& manifold, const btManifoldPoint& point) {
   const BodyState &a = *state_of(manifold.getBody0()), &b = *state_of(manifold.getBody1());

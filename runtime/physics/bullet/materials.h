@@ -18,7 +18,15 @@ double combine(Combine rule, double a, double b);
 // A body's own rule before the world's; of two different ones the later of multiply, average, min, max, as in Unity.
 Combine rule_of(const std::optional<Combine>& a, const std::optional<Combine>& b, Combine world);
 
-// Of a point between two solids. Bullet itself is told 0: see bounce.h.
+// Of two bodies of one collider each.
+struct Surface {
+  double friction = 0, restitution = 0;
+};
+Surface surface_between(const BodyState& a, const BodyState& b);
+// How fast b's surface runs against a's, m/s; 0 but for belts.
+Vec3 belt_between(const BodyState& a, const BodyState& b);
+
+// Of a point between two solids; Bullet itself is told 0.
 double contact_restitution(const btPersistentManifold& manifold, const btManifoldPoint& point);
 
 void install_material_callbacks();

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "physics/bullet/body_state.h"
-#include "physics/bullet/chase.h"
 #include "physics/bullet/joint_part.h"
+#include "physics/bullet/step_contacts.h"
 #include "physics/dynamics/heap.h"
 
 namespace tumble {
@@ -23,32 +23,22 @@ class Solver {
 
   // After collision detection and sleep. `live` are the joints that hold.
   void begin(const WorldSettings& settings, const std::vector<BodyState*>& dynamics, const std::vector<BodyState*>& carriers,
-             const std::vector<JointPart*>& live, btDispatcher& dispatcher, double seconds);
+             const std::vector<JointPart*>& live, PairDispatcher& dispatcher, double seconds);
   // Each island with as many substeps as it needs, `least` and more.
   void run(double seconds, int least, int rounds);
   void end(double seconds);
 
  private:
-  struct Source {  // where a contact's points are kept between steps
-    btManifoldPoint* points[dynamics::Contact::kMostPoints] = {};
-    std::optional<Chase> chase;
-  };
   dynamics::Mover& add_mover(BodyState& body);
   dynamics::Mover& mover_of(const BodyState* body);
   void gather_bodies(const WorldSettings& settings, const std::vector<BodyState*>& dynamics, const std::vector<BodyState*>& carriers);
-  void gather_contacts(btDispatcher& dispatcher, double seconds);
-  void gather_contacts(btPersistentManifold& manifold, double seconds);
-  void add_point(dynamics::Contact& contact, Source& source, btPersistentManifold& manifold, btManifoldPoint& point);
-  void drop_seams();
   void find_mechanisms(const std::vector<JointPart*>& live);
   void wake_together();
   void gather_mechanisms(const std::vector<JointPart*>& live);
-  void write_contact(const dynamics::Contact& contact, const Source& source) const;
 
   std::deque<dynamics::Mover> movers_;
   std::vector<BodyState*> bodies_;        // of each mover but the first, which is all that cannot move
-  std::vector<dynamics::Contact> contacts_;
-  std::vector<Source> sources_;
+  StepContacts contacts_;
   std::vector<std::vector<JointPart*>> groups_;  // that share bodies; a mechanism each
   std::vector<std::unique_ptr<dynamics::Mechanism>> mechanisms_;
   std::vector<dynamics::Mechanism*> awake_;

@@ -158,9 +158,19 @@ void look_at(btBroadphasePair& pair, btCollisionDispatcher& dispatcher, const bt
   auto *a = static_cast<btCollisionObject*>(pair.m_pProxy0->m_clientObject), *b = static_cast<btCollisionObject*>(pair.m_pProxy1->m_clientObject);
   if ((is_ghost(a) || is_ghost(b)) != pairs.triggers || !dispatcher.needsCollision(a, b)) return;
   // A threshold of 0 would be taken for none.
-  pairs.margin = pairs.triggers ? kTriggerMargin : margin_of(*state_of(a), *state_of(b), pairs);
-  if (pairs.triggers) look_into_trigger(pair, pairs, info, *a, *b);
-  else process(pair, pairs, info, {*a, a->getWorldTransform()}, {*b, b->getWorldTransform()});
+  if (pairs.triggers) {
+    pairs.margin = kTriggerMargin;
+    look_into_trigger(pair, pairs, info, *a, *b);
+    return;
+  }
+  BodyState &body_a = *state_of(a), &body_b = *state_of(b);
+  if (body_a.is_convex && body_b.is_convex) {
+    if (!pair.m_algorithm) pair.m_algorithm = new (pairs.allocateCollisionAlgorithm(sizeof(BodyPair))) BodyPair(body_a, body_b, pairs.kept);
+    static_cast<BodyPair*>(pair.m_algorithm)->look(pairs.fall, [&] { return margin_of(body_a, body_b, pairs); });
+    return;
+  }
+  pairs.margin = margin_of(body_a, body_b, pairs);
+  process(pair, pairs, info, {*a, a->getWorldTransform()}, {*b, b->getWorldTransform()});
 }
 
 }  // namespace
@@ -180,9 +190,10 @@ btPersistentManifold* PairDispatcher::getNewManifold(const btCollisionObject* a,
 void StepWorld::enlarge(btCollisionObject& object) {
   btVector3 low, high;
   object.getCollisionShape()->getAabb(object.getWorldTransform(), low, high);
-  const BodyState& body = *state_of(&object);
-  const double around = std::min(kMargin, kMarginPart * body.extent) + pairs_.fall + whirl(body) * pairs_.seconds;
+  BodyState& body = *state_of(&object);
+  const double spinning = whirl(body) * pairs_.seconds, around = std::min(kMargin, kMarginPart * body.extent) + pairs_.fall + spinning;
   const btVector3 way = body.rigid->getLinearVelocity() * pairs_.seconds, edge(around, around, around);
+  body.ahead = way.length() + spinning;
   low.setMin(low + way);
   high.setMax(high + way);
   getBroadphase()->setAabb(object.getBroadphaseHandle(), low - edge, high + edge, getDispatcher());
@@ -200,8 +211,21 @@ void StepWorld::collide(double seconds, Vec3 gravity) {
   pairs_.fall = length(gravity) * seconds * seconds;
   pairs_.triggers = false;
   performDiscreteCollisionDetection();
+  wake_by_carriers();
   calculateSimulationIslands();
   m_islandManager->buildIslands(getDispatcher(), this);
+}
+
+// As Bullet's islands do it where there are manifolds.
+void StepWorld::wake_by_carriers() {
+  const auto wakes = [](const BodyState& mover, const BodyState& other) {
+    return mover.def.type == BodyType::kinematic && mover.rigid->isActive() && other.dynamic();
+  };
+  for (const KeptContact* kept : pairs_.kept) {
+    if (kept->contact.count == 0) continue;
+    if (wakes(*kept->a, *kept->b)) kept->b->rigid->activate();
+    if (wakes(*kept->b, *kept->a)) kept->a->rigid->activate();
+  }
 }
 
 void StepWorld::collide_triggers() {

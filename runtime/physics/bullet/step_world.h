@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "physics/bullet/convert.h"
+#include "physics/bullet/body_pair.h"
 
 namespace tumble {
 
@@ -28,6 +28,7 @@ class PairDispatcher final : public btCollisionDispatcher {
   double fall = 0;          // m: how far gravity alone takes a body in it
   bool triggers = false;    // are triggers looked at, or solids?
   double margin = 0;        // of the pair that is looked at, m
+  std::vector<KeptContact*> kept;  // of bodies of one convex part; all others have manifolds
 };
 
 class StepWorld final : public btDiscreteDynamicsWorld {
@@ -47,6 +48,7 @@ class StepWorld final : public btDiscreteDynamicsWorld {
 
  private:
   void enlarge(btCollisionObject& object);
+  void wake_by_carriers();
   PairDispatcher& pairs_;
 };
 

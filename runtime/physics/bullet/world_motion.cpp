@@ -92,6 +92,7 @@ void World::apply_impulse(BodyId id, Vec3 impulse, Vec3 point) {
 void World::apply_angular_impulse(BodyId id, Vec3 impulse) {
   BodyState& body = impl_->body(id);
   if (!body.dynamic()) return;
+  body.rigid->updateInertiaTensor();  // Bullet keeps one in the world
   body.rigid->applyTorqueImpulse(to_bullet(impulse));
   impl_->wake(body);
 }

@@ -174,12 +174,12 @@ void substep(Island& island, double h, int rounds) {
 
 }  // namespace
 
-std::vector<Island> find_islands(std::deque<Mover>& movers, std::vector<Contact>& contacts, const std::vector<Mechanism*>& mechanisms) {
+std::vector<Island> find_islands(std::deque<Mover>& movers, const std::vector<Contact*>& contacts, const std::vector<Mechanism*>& mechanisms) {
   int count = 0;
   for (Mover& mover : movers)
     if (mover.pushable) mover.island = count++;
   Sets sets(count);
-  for (const Contact& contact : contacts) sets.unite(*contact.a, *contact.b);
+  for (const Contact* contact : contacts) sets.unite(*contact->a, *contact->b);
   for (const Mechanism* mechanism : mechanisms)
     for (const Link* link : mechanism->links()) {
       sets.unite(*link->a, *link->b);
@@ -199,10 +199,10 @@ std::vector<Island> find_islands(std::deque<Mover>& movers, std::vector<Contact>
     island_of[own] = mover.island;
     islands[static_cast<std::size_t>(mover.island)].movers.push_back(&mover);
   }
-  for (Contact& contact : contacts) {
-    Island& here = islands[static_cast<std::size_t>(contact.island())];
-    here.contacts.push_back(&contact);
-    here.bouncy |= contact.bounces();
+  for (Contact* contact : contacts) {
+    Island& here = islands[static_cast<std::size_t>(contact->island())];
+    here.contacts.push_back(contact);
+    here.bouncy |= contact->bounces();
   }
   for (Mechanism* mechanism : mechanisms)
     islands[static_cast<std::size_t>(pushable_of(*mechanism->links().front()).island)].mechanisms.push_back(mechanism);

@@ -20,7 +20,7 @@ struct Island {
 
 // In the order of their first movers. May add movers: what moves and cannot be pushed goes its way in each island anew, and
 // contacts and links then know the island's own. Sets Mover::island.
-std::vector<Island> find_islands(std::deque<Mover>& movers, std::vector<Contact>& contacts, const std::vector<Mechanism*>& mechanisms);
+std::vector<Island> find_islands(std::deque<Mover>& movers, const std::vector<Contact*>& contacts, const std::vector<Mechanism*>& mechanisms);
 
 // How many substeps a step of so many seconds takes, at least `least`; contacts' impulses are forces yet.
 int substeps_of(const Island& island, double seconds, int least);

@@ -26,6 +26,7 @@ struct Mover {
   int stirred = 0;             // the last round of the solver that changed its velocity much
   bool bound = false;          // a joint holds it
   int record = 0;              // of a heap
+  int grounds = 0;             // how many contacts it has with what cannot be pushed
 
   // The inverse inertia at the rotation that it has now.
   void refresh();

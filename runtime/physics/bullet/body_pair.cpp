@@ -1,0 +1,115 @@
+#include "physics/bullet/body_pair.h"
+
+#include <algorithm>
+
+#include "physics/bullet/materials.h"
+
+namespace tumble {
+
+namespace {
+
+using dynamics::Contact;
+using dynamics::TouchPoint;
+
+// A look holds until the bodies have gone this far, m, or this part of the smaller one.
+constexpr double kMostTravel = 3e-3, kMostTravelPart = 0.01;
+// Points of two looks that lie nearer on either body are one, as a part of the smaller one: where edges nearly lie on each
+// other, their crossing runs far along them for a hair of a turn.
+constexpr double kSamePoint = 0.15;
+// Cosine of the angle within which an impulse along the old normal says something about the new one.
+constexpr double kSameNormal = 0.9;
+
+double smaller_extent(const BodyState& a, const BodyState& b) {
+  if (!a.dynamic() || !b.dynamic()) return a.dynamic() ? a.extent : b.extent;
+  return std::min(a.extent, b.extent);
+}
+
+bool stays(const BodyState& body) { return !body.dynamic() || body.in_heap; }
+
+// What pressed at the old points presses at the new ones; the nearest two first, so that one that moved far does not take
+// its neighbour's.
+void take_over(const TouchPoint* old, int count, Contact& contact, double near) {
+  bool taken[Contact::kMostPoints] = {}, done[Contact::kMostPoints] = {};
+  if (count == 1 && contact.count == 1) near = INFINITY;  // what rolls has one point, and it runs
+  for (;;) {
+    int from = -1, to = -1;
+    double least = near;
+    for (int i = 0; i < count; ++i)
+      for (int k = 0; k < contact.count && !taken[i]; ++k) {
+        if (done[k]) continue;
+        // A corner stays where it is on its own body, a crossing of edges on one of the two.
+        const double d = std::min(distance(old[i].arm_a, contact.points[k].arm_a), distance(old[i].arm_b, contact.points[k].arm_b));
+        if (d < least) least = d, from = i, to = k;
+      }
+    if (from < 0) return;
+    taken[from] = done[to] = true;
+    contact.points[to].impulse = old[from].impulse;
+  }
+}
+
+}  // namespace
+
+BodyPair::~BodyPair() {
+  if (!kept_) return;
+  all_.back()->index = kept_->index;
+  all_[kept_->index] = all_.back();
+  all_.pop_back();
+}
+
+bool BodyPair::still_holds(double fall) const {
+  if (margin_ < 0 || placed_ != a_.placed + b_.placed) return false;
+  const double travel = a_.travel + b_.travel - travel_;
+  if (!(a_.ahead + b_.ahead + fall + travel <= margin_)) return false;
+  if (!kept_ || kept_->contact.count == 0) return !kept_ || !kept_->changed_shape;
+  // Normals and points stay as they are for what may be a little off.
+  return stays(a_) && stays(b_) && !kept_->changed_shape && travel <= std::min(kMostTravel, kMostTravelPart * smaller_extent(a_, b_));
+}
+
+void BodyPair::look_anew(double margin) {
+  pairs::Manifold found;
+  pairs::collide(a_.convex, a_.convex_pose(), b_.convex, b_.convex_pose(), margin, cache_, found);
+  margin_ = margin;
+  travel_ = a_.travel + b_.travel;
+  placed_ = a_.placed + b_.placed;
+  if (found.count == 0 && !kept_) return;
+  if (!kept_) {
+    kept_ = std::make_unique<KeptContact>();
+    kept_->a = &a_;
+    kept_->b = &b_;
+    kept_->index = all_.size();
+    all_.push_back(kept_.get());
+  }
+  write(found);
+}
+
+void BodyPair::write(const pairs::Manifold& found) {
+  Contact& contact = kept_->contact;
+  kept_->changed_shape = false;
+  if (found.count == 0) {
+    contact.count = 0;
+    contact.grip = {};
+    return;
+  }
+  TouchPoint old[Contact::kMostPoints];
+  const int count = contact.count;
+  std::copy(contact.points, contact.points + count, old);
+  const Vec3 normal = contact.normal, grip = contact.tangent_1 * contact.grip.x + contact.tangent_2 * contact.grip.y;
+  const bool alike = count > 0 && dot(normal, found.normal) >= kSameNormal;
+
+  contact.set_normal(found.normal);
+  contact.grip = alike ? Vec3{dot(grip, contact.tangent_1), dot(grip, contact.tangent_2), contact.grip.z} : Vec3{};
+  const Surface surface = surface_between(a_, b_);
+  contact.friction = surface.friction;
+  contact.count = found.count;
+  for (int i = 0; i < found.count; ++i) {
+    TouchPoint& point = contact.points[i];
+    point.arm_a = found.points[i].on_a - a_.center.position;
+    point.arm_b = found.points[i].on_b - b_.center.position;
+    point.separation = found.points[i].separation;
+    point.restitution = surface.restitution;
+    point.impulse = 0;
+  }
+  if (alike) take_over(old, count, contact, kSamePoint * smaller_extent(a_, b_));
+}
+
+}  // namespace tumble

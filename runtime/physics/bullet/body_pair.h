@@ -1,0 +1,53 @@
+// Two bodies of one convex part each whose boxes overlap: the most frequent pair by far, and all our own. Its contact is
+// kept here from step to step as the solver wants it; no manifold of Bullet's is made.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "physics/bullet/body_state.h"
+#include "physics/dynamics/contact.h"
+#include "physics/pairs/collide.h"
+
+namespace tumble {
+
+// Between steps arms are about the centres of mass of both bodies, impulses are forces.
+struct KeptContact {
+  BodyState *a, *b;
+  std::size_t index = 0;       // in the list of all
+  dynamics::Contact contact;
+  bool changed_shape = false;  // by Chase: what is here is not what a look would find
+};
+
+class BodyPair final : public btCollisionAlgorithm {
+ public:
+  // Of two bodies with `convex`. `all` has each pair's contact while there is one.
+  BodyPair(BodyState& a, BodyState& b, std::vector<KeptContact*>& all) : a_(a), b_(b), all_(all) {}
+  ~BodyPair() override;
+
+  // What may touch within a step in which gravity alone takes a body so far (m). `margin` is asked for only where the last
+  // look does not hold any more.
+  template <class Margin>
+  void look(double fall, const Margin& margin) {
+    if (!still_holds(fall)) look_anew(margin());
+  }
+
+  void processCollision(const btCollisionObjectWrapper*, const btCollisionObjectWrapper*, const btDispatcherInfo&, btManifoldResult*) override {}
+  btScalar calculateTimeOfImpact(btCollisionObject*, btCollisionObject*, const btDispatcherInfo&, btManifoldResult*) override { return 1; }
+  void getAllContactManifolds(btManifoldArray&) override {}
+
+ private:
+  bool still_holds(double fall) const;
+  void look_anew(double margin);
+  void write(const pairs::Manifold& found);
+
+  BodyState &a_, &b_;
+  std::vector<KeptContact*>& all_;
+  std::unique_ptr<KeptContact> kept_;
+  pairs::Cache cache_;
+  double margin_ = -1;         // of the last look, m; below 0 where there was none
+  double travel_ = 0;          // of both bodies, by then
+  unsigned placed_ = 0;        // likewise
+};
+
+}  // namespace tumble
