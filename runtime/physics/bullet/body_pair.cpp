@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "physics/bullet/contacts.h"
 #include "physics/bullet/materials.h"
 
 namespace tumble {
@@ -51,6 +52,7 @@ void take_over(const TouchPoint* old, int count, Contact& contact, double near) 
 
 BodyPair::~BodyPair() {
   if (!kept_) return;
+  if (kept_->pair) lose_contact(*kept_->pair);
   all_.back()->index = kept_->index;
   all_[kept_->index] = all_.back();
   all_.pop_back();
@@ -60,9 +62,8 @@ bool BodyPair::still_holds(double fall) const {
   if (margin_ < 0 || placed_ != a_.placed + b_.placed) return false;
   const double travel = a_.travel + b_.travel - travel_;
   if (!(a_.ahead + b_.ahead + fall + travel <= margin_)) return false;
-  if (!kept_ || kept_->contact.count == 0) return !kept_ || !kept_->changed_shape;
   // Normals and points stay as they are for what may be a little off.
-  return stays(a_) && stays(b_) && !kept_->changed_shape && travel <= std::min(kMostTravel, kMostTravelPart * smaller_extent(a_, b_));
+  return !near_ || (stays(a_) && stays(b_) && travel <= std::min(kMostTravel, kMostTravelPart * smaller_extent(a_, b_)));
 }
 
 void BodyPair::look_anew(double margin) {
@@ -71,12 +72,14 @@ void BodyPair::look_anew(double margin) {
   margin_ = margin;
   travel_ = a_.travel + b_.travel;
   placed_ = a_.placed + b_.placed;
-  if (found.count == 0 && !kept_) return;
+  near_ = found.count > 0;
+  if (!near_ && !kept_) return;
   if (!kept_) {
     kept_ = std::make_unique<KeptContact>();
     kept_->a = &a_;
     kept_->b = &b_;
     kept_->index = all_.size();
+    kept_->margin = &margin_;
     all_.push_back(kept_.get());
   }
   write(found);
@@ -84,7 +87,6 @@ void BodyPair::look_anew(double margin) {
 
 void BodyPair::write(const pairs::Manifold& found) {
   Contact& contact = kept_->contact;
-  kept_->changed_shape = false;
   if (found.count == 0) {
     contact.count = 0;
     contact.grip = {};

@@ -16,7 +16,11 @@ struct KeptContact {
   BodyState *a, *b;
   std::size_t index = 0;       // in the list of all
   dynamics::Contact contact;
-  bool changed_shape = false;  // by Chase: what is here is not what a look would find
+  Pair* pair = nullptr;        // in the book, while they touch
+  bool touching = false;       // after the step
+  double* margin = nullptr;    // of the pair's last look
+  // What is here is not what a look would find: the next step looks anew.
+  void spoil() { *margin = -1; }
 };
 
 class BodyPair final : public btCollisionAlgorithm {
@@ -48,6 +52,7 @@ class BodyPair final : public btCollisionAlgorithm {
   double margin_ = -1;         // of the last look, m; below 0 where there was none
   double travel_ = 0;          // of both bodies, by then
   unsigned placed_ = 0;        // likewise
+  bool near_ = false;          // did it find points?
 };
 
 }  // namespace tumble

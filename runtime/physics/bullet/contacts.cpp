@@ -7,8 +7,6 @@ namespace tumble {
 
 namespace {
 
-// Two bodies that touched go on touching up to this distance, m: a resting body's contacts breathe.
-constexpr double kStillTouching = 0.005;
 // Points of two substeps that are nearer than this are one point, m.
 constexpr double kSamePoint = 0.02;
 
@@ -36,14 +34,6 @@ Vec3 place_of(const BodyState& a, const BodyState& b, Vec3 on_a, Vec3 on_b) {
   return a.dynamic() ? on_b : on_a;
 }
 
-ContactEvent exit_of(const Pair& pair) {
-  ContactEvent event = pair.event;
-  event.kind = EventKind::exit;
-  event.speed = event.impulse = 0;
-  event.points.clear();
-  return event;
-}
-
 struct Sorted {
   EventKind kind;
   std::uint32_t a, b;
@@ -63,10 +53,8 @@ void erase_value(std::vector<T*>& list, T* value) {
   if (at != list.end()) list.erase(at);
 }
 
-}  // namespace
-
 // Two bodies and their contact, from wherever it is kept.
-struct ContactBook::Found {
+struct Found {
   struct Point {
     double distance, impulse;
     Vec3 on_a, on_b, normal;   // from b to a
@@ -84,50 +72,7 @@ struct ContactBook::Found {
   }
 };
 
-Pair* ContactBook::find(const BodyState& a, const BodyState& b, bool trigger) {
-  for (Pair* pair : (a.pairs.size() < b.pairs.size() ? a : b).pairs)
-    if (pair->a == &a && pair->b == &b && pair->trigger == trigger) return pair;
-  return nullptr;
-}
-
-Pair& ContactBook::make(BodyState& a, BodyState& b, bool trigger) {
-  pairs_.push_back(std::make_unique<Pair>());
-  Pair& pair = *pairs_.back();
-  pair.a = &a;
-  pair.b = &b;
-  pair.trigger = trigger;
-  pair.index = pairs_.size() - 1;
-  a.pairs.push_back(&pair);
-  b.pairs.push_back(&pair);
-  return pair;
-}
-
-void ContactBook::drop(Pair& pair) {
-  erase_value(pair.a->pairs, &pair);
-  erase_value(pair.b->pairs, &pair);
-  const std::size_t index = pair.index;
-  std::swap(pairs_[index], pairs_.back());
-  pairs_[index]->index = index;
-  pairs_.pop_back();
-}
-
-void ContactBook::observe(PairDispatcher& pairs) {
-  for (const KeptContact* kept : pairs.kept) {
-    if (kept->contact.count == 0 || (!kept->a->rigid->isActive() && !kept->b->rigid->isActive())) continue;
-    Found found;
-    read(*kept, found);
-    observe(found);
-  }
-  for (int i = 0; i < pairs.getNumManifolds(); ++i) {
-    btPersistentManifold& manifold = *pairs.getManifoldByIndexInternal(i);
-    if (manifold.getNumContacts() == 0 || (!manifold.getBody0()->isActive() && !manifold.getBody1()->isActive())) continue;
-    Found found;
-    read(manifold, found);
-    observe(found);
-  }
-}
-
-void ContactBook::read(const KeptContact& kept, Found& found) {
+void read(const KeptContact& kept, Found& found) {
   found.a = kept.a;
   found.b = kept.b;
   const int collider_a = kept.a->solids->pieces()[0].collider, collider_b = kept.b->solids->pieces()[0].collider;
@@ -138,7 +83,7 @@ void ContactBook::read(const KeptContact& kept, Found& found) {
   }
 }
 
-void ContactBook::read(btPersistentManifold& manifold, Found& found) {
+void read(btPersistentManifold& manifold, Found& found) {
   const btCollisionObject *a = manifold.getBody0(), *b = manifold.getBody1();
   found.a = state_of(a);
   found.b = state_of(b);
@@ -151,30 +96,23 @@ void ContactBook::read(btPersistentManifold& manifold, Found& found) {
   }
 }
 
-void ContactBook::observe(const Found& found) {
-  BodyState *a = found.a, *b = found.b;
-  const bool swapped = a->serial > b->serial;
-  if (swapped) std::swap(a, b);
-  Pair* pair = find(*a, *b, found.trigger);
-  if (!found.touches(pair != nullptr)) return;
-  note(pair ? *pair : make(*a, *b, found.trigger), found, swapped);
+void forget(Pair& pair) {
+  ContactEvent& event = pair.event;
+  std::vector<ContactPoint> points = std::move(event.points);  // its memory
+  points.clear();
+  event = {};
+  event.points = std::move(points);
+  event.trigger = pair.trigger;
+  event.a = pair.a->id;
+  event.user_a = pair.a->user;
+  event.user_b = pair.b->user;
+  event.b = pair.b->id;
+  pair.depth = 1e18;
 }
 
-void ContactBook::note(Pair& pair, const Found& found, bool swapped) {
+void note(Pair& pair, const Found& found) {
   ContactEvent& event = pair.event;
-  if (pair.seen != step_) {
-    std::vector<ContactPoint> points = std::move(event.points);  // its memory
-    points.clear();
-    event = {};
-    event.points = std::move(points);
-    event.trigger = pair.trigger;
-    event.a = pair.a->id;
-    event.user_a = pair.a->user;
-    event.user_b = pair.b->user;
-    event.b = pair.b->id;
-    pair.depth = 1e18;
-    pair.seen = step_;
-  }
+  const bool swapped = found.a != pair.a;
 
   for (int i = 0; i < found.count; ++i) {
     const Found::Point& at = found.points[i];
@@ -197,19 +135,104 @@ void ContactBook::note(Pair& pair, const Found& found, bool swapped) {
   }
 }
 
+// Most contacts stay and nobody asks: what there is to tell of them is found out when somebody does.
+const ContactEvent& told(Pair& pair) {
+  if (pair.unread && pair.kept) {
+    Found found;
+    read(*pair.kept, found);
+    forget(pair);
+    note(pair, found);
+  }
+  pair.unread = false;
+  return pair.event;
+}
+
+ContactEvent exit_of(Pair& pair) {
+  ContactEvent event = told(pair);
+  event.kind = EventKind::exit;
+  event.speed = event.impulse = 0;
+  event.points.clear();
+  return event;
+}
+
+}  // namespace
+
+Pair* ContactBook::find(const BodyState& a, const BodyState& b, bool trigger) {
+  for (Pair* pair : (a.pairs.size() < b.pairs.size() ? a : b).pairs)
+    if (pair->a == &a && pair->b == &b && pair->trigger == trigger) return pair;
+  return nullptr;
+}
+
+Pair& ContactBook::make(BodyState& a, BodyState& b, bool trigger) {
+  pairs_.push_back(std::make_unique<Pair>());
+  Pair& pair = *pairs_.back();
+  pair.a = &a;
+  pair.b = &b;
+  pair.trigger = trigger;
+  pair.index = pairs_.size() - 1;
+  a.pairs.push_back(&pair);
+  b.pairs.push_back(&pair);
+  return pair;
+}
+
+void ContactBook::drop(Pair& pair) {
+  if (pair.kept) pair.kept->pair = nullptr;
+  erase_value(pair.a->pairs, &pair);
+  erase_value(pair.b->pairs, &pair);
+  const std::size_t index = pair.index;
+  std::swap(pairs_[index], pairs_.back());
+  pairs_[index]->index = index;
+  pairs_.pop_back();
+}
+
+Pair& ContactBook::pair_of(BodyState& a, BodyState& b, bool trigger) {
+  const bool swapped = a.serial > b.serial;
+  BodyState &older = swapped ? b : a, &younger = swapped ? a : b;
+  Pair* known = find(older, younger, trigger);
+  return known ? *known : make(older, younger, trigger);
+}
+
+void ContactBook::observe(PairDispatcher& pairs) {
+  for (KeptContact* kept : pairs.kept) {
+    if (!kept->touching) continue;
+    if (!kept->pair) {
+      kept->pair = &pair_of(*kept->a, *kept->b, false);
+      kept->pair->kept = kept;
+    }
+    kept->pair->seen = step_;
+    kept->pair->unread = true;
+  }
+  for (int i = 0; i < pairs.getNumManifolds(); ++i) observe(*pairs.getManifoldByIndexInternal(i));
+}
+
+void ContactBook::observe(btPersistentManifold& manifold) {
+  const btCollisionObject *first = manifold.getBody0(), *second = manifold.getBody1();
+  if (manifold.getNumContacts() == 0 || (!first->isActive() && !second->isActive())) return;
+  Found found;
+  read(manifold, found);
+  const bool swapped = found.a->serial > found.b->serial;
+  Pair* pair = find(*(swapped ? found.b : found.a), *(swapped ? found.a : found.b), found.trigger);
+  if (!found.touches(pair != nullptr)) return;
+  if (!pair) pair = &pair_of(*found.a, *found.b, found.trigger);
+  if (pair->seen != step_) forget(*pair);
+  pair->seen = step_;
+  note(*pair, found);
+}
+
 void ContactBook::end_step(Events& events) {
   std::vector<Sorted> batch;
   for (std::size_t i = 0; i < pairs_.size();) {
     Pair& pair = *pairs_[i];
-    const auto add = [&](ContactEvent event) {
-      batch.push_back({event.kind, pair.a->serial, pair.b->serial, pair.trigger, std::move(event)});
+    const auto add = [&](ContactEvent event, EventKind kind) {
+      event.kind = kind;
+      batch.push_back({kind, pair.a->serial, pair.b->serial, pair.trigger, std::move(event)});
     };
     if (pair.seen == step_) {
-      pair.event.kind = pair.told ? EventKind::stay : EventKind::enter;
-      if (!pair.told || pair.a->want_stay || pair.b->want_stay) add(pair.event);
+      const EventKind kind = pair.kind = pair.told ? EventKind::stay : EventKind::enter;
+      if (!pair.told || pair.a->want_stay || pair.b->want_stay) add(told(pair), kind);
       pair.told = true;
     } else if (pair.a->rigid->isActive() || pair.b->rigid->isActive()) {
-      add(exit_of(pair));
+      add(exit_of(pair), EventKind::exit);
       drop(pair);
       continue;  // another pair is in its place now
     }
@@ -232,8 +255,15 @@ int ContactBook::touching() const {
   return static_cast<int>(std::count_if(pairs_.begin(), pairs_.end(), [](const auto& pair) { return !pair->trigger; }));
 }
 
-ContactEvent seen_from(const Pair& pair, const BodyState& body) {
-  ContactEvent event = pair.event;
+void lose_contact(Pair& pair) {
+  told(pair);
+  pair.kept->pair = nullptr;
+  pair.kept = nullptr;
+}
+
+ContactEvent seen_from(Pair& pair, const BodyState& body) {
+  ContactEvent event = told(pair);
+  event.kind = pair.kind;
   if (pair.a == &body) return event;
   std::swap(event.a, event.b);
   std::swap(event.user_a, event.user_b);

@@ -16,7 +16,10 @@ struct Pair {
   std::uint64_t seen = 0;      // the last step in which they touched
   double depth = 0;            // smallest distance in that step, m
   std::size_t index = 0;       // in the book
-  ContactEvent event;          // of that step
+  ContactEvent event;          // of that step; see told()
+  KeptContact* kept = nullptr; // where it is read from, when it is asked for
+  bool unread = false;
+  EventKind kind = EventKind::enter;  // of the last step
 };
 
 class ContactBook {
@@ -34,17 +37,18 @@ class ContactBook {
   Pair* find(const BodyState& a, const BodyState& b, bool trigger);
   Pair& make(BodyState& a, BodyState& b, bool trigger);
   void drop(Pair& pair);
-  struct Found;
-  void observe(const Found& found);
-  void note(Pair& pair, const Found& found, bool swapped);
-  static void read(btPersistentManifold& manifold, Found& found);
-  static void read(const KeptContact& kept, Found& found);
+  Pair& pair_of(BodyState& a, BodyState& b, bool trigger);
+  void observe(btPersistentManifold& manifold);
 
   std::vector<std::unique_ptr<Pair>> pairs_;
   std::uint64_t step_ = 0;
 };
 
+// Two bodies that touched go on touching up to this distance, m: a resting body's contacts breathe.
+constexpr double kStillTouching = 0.005;
 // The event as `body` sees it, as if it were a.
-ContactEvent seen_from(const Pair& pair, const BodyState& body);
+ContactEvent seen_from(Pair& pair, const BodyState& body);
+// The contact that it is read from is about to go.
+void lose_contact(Pair& pair);
 
 }  // namespace tumble

@@ -44,7 +44,6 @@ void Solver::gather_bodies(const WorldSettings& settings, const std::vector<Body
     mover.torque = body->torque;
     mover.damping = body->def.damping;
     mover.angular_damping = body->def.angular_damping;
-    mover.refresh();
   }
   for (BodyState* body : carriers)
     if (!body->dynamic()) add_mover(*body);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "physics/bullet/contacts.h"
 #include "physics/bullet/materials.h"
 
 namespace tumble {
@@ -98,6 +99,12 @@ void shift_arms(Contact& contact, Vec3 TouchPoint::*arm, Vec3 by) {
   for (int i = 0; i < contact.count; ++i) contact.points[i].*arm += by;
 }
 
+bool touches(const Contact& contact, bool already) {
+  return std::any_of(contact.points, contact.points + contact.count, [&](const TouchPoint& point) {
+    return point.separation <= 0 || point.sum > 0 || (already && point.separation <= kStillTouching);
+  });
+}
+
 // As if it were not there in this step.
 void leave_out(KeptContact& kept) {
   for (TouchPoint& point : kept.contact.points) {
@@ -105,7 +112,7 @@ void leave_out(KeptContact& kept) {
     point.separation = kApart;
   }
   kept.contact.grip = {};
-  kept.changed_shape = true;
+  kept.spoil();
 }
 
 // ---- seams
@@ -141,8 +148,10 @@ void StepContacts::gather(PairDispatcher& pairs, std::deque<Mover>& movers, doub
   taken_.clear();
   made_.clear();
   chases_.clear();
-  for (KeptContact* kept : pairs.kept)
+  for (KeptContact* kept : pairs.kept) {
+    kept->touching = false;
     if (kept->contact.count > 0 && (moves(*kept->a) || moves(*kept->b))) take(*kept, movers, seconds);
+  }
   for (int i = 0; i < pairs.getNumManifolds(); ++i) {
     btPersistentManifold& manifold = *pairs.getManifoldByIndexInternal(i);
     const btCollisionObject *a = manifold.getBody0(), *b = manifold.getBody1();
@@ -172,7 +181,7 @@ void StepContacts::take(KeptContact& kept, std::deque<Mover>& movers, double sec
     contact.fixed_b = b.center.position;
   } else if (auto chase = Chase::of({a, -1, 0}, {b, -1, 0}, contact.points[0].separation, seconds)) {
     chases_.push_back({&contact, *chase});
-    kept.changed_shape = true;
+    kept.spoil();
   }
   for (const bool first : {true, false}) {
     const BodyState& body = first ? a : b;
@@ -275,6 +284,7 @@ void StepContacts::write_back(const std::deque<Mover>& movers) {
     Contact& contact = kept->contact;
     if (contact.a == &movers.front()) shift_arms(contact, &TouchPoint::arm_a, -kept->a->center.position);
     if (contact.b == &movers.front()) shift_arms(contact, &TouchPoint::arm_b, -kept->b->center.position);
+    kept->touching = touches(contact, kept->pair != nullptr);
   }
   for (const Made& made : made_) write_contact(made.contact, made.points);
 }

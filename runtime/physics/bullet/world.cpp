@@ -311,7 +311,7 @@ std::vector<ContactEvent> World::contacts(BodyId id) const {
   const auto other = [&](const Pair* pair) { return pair->a == &body ? pair->b : pair->a; };
   std::sort(pairs.begin(), pairs.end(), [&](const Pair* x, const Pair* y) { return older(other(x), other(y)); });
   std::vector<ContactEvent> result;
-  for (const Pair* pair : pairs) result.push_back(seen_from(*pair, body));
+  for (Pair* pair : pairs) result.push_back(seen_from(*pair, body));
   return result;
 }
 

@@ -35,11 +35,23 @@ bool driven(const BodyState& body) {
   return small(body.force / body.mass.mass) && (small(body.torque) || small(body.torque / least));
 }
 
+// Nothing is near any bound, and none is no number: most bodies, at a glance.
+bool plainly_sane(const BodyState& body) {
+  constexpr double kFar = 1e6;
+  const Vec3 p = body.center.position;
+  const Quat q = body.center.rotation;
+  const btVector3 &v = body.rigid->getLinearVelocity(), &w = body.rigid->getAngularVelocity();
+  const double most = std::abs(p.x) + std::abs(p.y) + std::abs(p.z) + std::abs(v.x()) + std::abs(v.y()) + std::abs(v.z()) + std::abs(w.x()) +
+                      std::abs(w.y()) + std::abs(w.z());
+  return most < kFar && std::abs(q.x) + std::abs(q.y) + std::abs(q.z) + std::abs(q.w) < kFar && body.force == Vec3{} && body.torque == Vec3{};
+}
+
 bool sane(const BodyState& body) {
-  const btQuaternion q = body.rigid->getWorldTransform().getRotation();
+  if (plainly_sane(body)) return true;
+  const Quat q = body.center.rotation;
   return sane(body.rigid->getWorldTransform().getOrigin(), kFarthest) && sane(body.rigid->getLinearVelocity(), kFastest) &&
          sane(body.rigid->getAngularVelocity(), kFastest) && driven(body) &&
-         std::isfinite(q.x() + q.y() + q.z() + q.w());
+         is_finite(q);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "physics/dynamics/heap.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 
@@ -14,7 +15,7 @@ constexpr std::size_t kFewest = 8;   // contacts
 // Rounds go on, where it still runs, while speeds change by more than so many m/s for each second of a substep: a few rounds
 // until a stack does not tremble, and many while a blow goes through it.
 constexpr double kQuiet = 1, kLoose = 5;
-constexpr int kFewRounds = 4, kMostRounds = 40;  // times what was asked for
+constexpr int kFewRounds = 8, kMostRounds = 80;
 constexpr int kColors = 63;          // and one more for what has neighbours in all of them, a contact to a batch
 
 bool plain(const Mover& mover) {
@@ -115,11 +116,22 @@ void HeapOf<F>::color() {
   }
 }
 
+// By color, those of many points first, and else as they were: a counting sort.
+template <class F>
+void HeapOf<F>::sort_members() {
+  constexpr int kMost = Contact::kMostPoints;
+  const auto key = [](const Member& member) { return static_cast<std::size_t>(member.color * kMost + kMost - member.contact->count); };
+  std::array<std::size_t, (kColors + 1) * kMost + 1> starts{};
+  for (const Member& member : members_) ++starts[key(member) + 1];
+  for (std::size_t i = 1; i < starts.size(); ++i) starts[i] += starts[i - 1];
+  sorted_.resize(members_.size());
+  for (const Member& member : members_) sorted_[starts[key(member)]++] = member;
+  members_.swap(sorted_);
+}
+
 template <class F>
 void HeapOf<F>::make_batches() {
-  std::stable_sort(members_.begin(), members_.end(), [](const Member& x, const Member& y) {
-    return x.color != y.color ? x.color < y.color : x.contact->count > y.contact->count;
-  });
+  sort_members();
   batches_.clear();
   int rows = 0, used = 0, color = -1;
   for (Member& member : members_) {
@@ -252,8 +264,8 @@ bool HeapOf<F>::find_stirred(const Batch<F>& batch, int round, F& lanes) const {
 template <class F>
 void HeapOf<F>::solve_in_rounds(int least, const Aim& aim) {
   std::fill(stirred_.begin(), stirred_.end(), -1);
-  for (int round = 0; round < kMostRounds * least; ++round) {
-    const double loose = (round < kFewRounds * least ? kQuiet : kLoose) / aim.per_second;
+  for (int round = 0; round < kMostRounds; ++round) {
+    const double loose = (round < kFewRounds ? kQuiet : kLoose) / aim.per_second;
     bool any = false;
     for (Batch<F>& batch : batches_) {
       F takes_part = all<F>(1);
@@ -312,7 +324,6 @@ void HeapOf<F>::finish(double seconds, double h) {
     record.turned = turned_by({}, turn);
     mover.rotation = normalized(record.turned * mover.rotation);
     mover.spin = mover.rotation * unscaled(conjugate(mover.rotation) * momentum, m);
-    mover.refresh();
   }
   for (const Member& member : members_) read_back(member, h);
 }

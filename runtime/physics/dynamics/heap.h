@@ -41,6 +41,7 @@ class HeapOf {
   void set_up(double h);
   void set_drive(std::size_t i, double h);
   void color();
+  void sort_members();
   void make_batches();
   void fill(Batch<F>& batch, int lane, Member& member, double h);
   void fill_friction(Batch<F>& batch, int lane, Member& member, double h);
@@ -55,7 +56,7 @@ class HeapOf {
   std::vector<Drive> drives_;
   std::vector<Motion> velocities_, free_, held_, ways_;  // without contacts, and what these gave in the substep before
   std::vector<int> stirred_;  // the last round that changed a body's velocity much
-  std::vector<Member> members_;
+  std::vector<Member> members_, sorted_;
   std::vector<Batch<F>> batches_;
   std::vector<PointRow<F>> rows_;
 };

@@ -231,6 +231,7 @@ int substeps_of(const Island& island, double seconds, int least) {
 }
 
 void run(Island& island, double seconds, int least, int rounds) {
+  for (Mover* mover : island.movers) mover->refresh();
   const int count = substeps_of(island, seconds, least);
   const double h = seconds / count;
   for (Mechanism* mechanism : island.mechanisms) mechanism->begin_step(h);
