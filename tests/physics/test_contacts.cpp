@@ -273,3 +273,25 @@ TEST_CASE("contacts: every enter is followed by exactly one exit, whatever comes
   CHECK(enters > 100);
   for (const auto& [key, state] : open) CHECK(state == 0);
 }
+
+TEST_CASE("contacts: what is told of a contact that stays is of the last step", "[physics]") {
+  Scene scene;
+  const BodyId floor = scene.floor();
+  const BodyId cube = scene.add(body(box({1, 1, 1})), {0, 0.5, 0});
+  const auto load = [&] {
+    double sum = 0;
+    scene.world.each_contact([&](const ContactEvent& contact) { sum += contact.a == floor ? contact.impulse : 0; });
+    REQUIRE(scene.world.contacts(floor).size() == 1);
+    CHECK(scene.world.contacts(floor)[0].impulse == Approx(sum));
+    return sum;
+  };
+  scene.run(0.25);
+  CHECK(load() == Approx(9.81 * kTick).epsilon(1e-3));
+
+  for (int i = 0; i < 30; ++i) {
+    scene.world.apply_force(cube, {0, -20, 0});
+    scene.world.step(kTick);
+  }
+
+  CHECK(load() == Approx((9.81 + 20) * kTick).epsilon(1e-3));
+}

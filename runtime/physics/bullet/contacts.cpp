@@ -135,18 +135,6 @@ void note(Pair& pair, const Found& found) {
   }
 }
 
-// Most contacts stay and nobody asks: what there is to tell of them is found out when somebody does.
-const ContactEvent& told(Pair& pair) {
-  if (pair.unread && pair.kept) {
-    Found found;
-    read(*pair.kept, found);
-    forget(pair);
-    note(pair, found);
-  }
-  pair.unread = false;
-  return pair.event;
-}
-
 ContactEvent exit_of(Pair& pair) {
   ContactEvent event = told(pair);
   event.kind = EventKind::exit;
@@ -156,6 +144,18 @@ ContactEvent exit_of(Pair& pair) {
 }
 
 }  // namespace
+
+const ContactEvent& told(Pair& pair) {
+  if (pair.unread && pair.kept) {
+    Found found;
+    read(*pair.kept, found);
+    forget(pair);
+    note(pair, found);
+  }
+  pair.unread = false;
+  pair.event.kind = pair.kind;
+  return pair.event;
+}
 
 Pair* ContactBook::find(const BodyState& a, const BodyState& b, bool trigger) {
   for (Pair* pair : (a.pairs.size() < b.pairs.size() ? a : b).pairs)
@@ -263,7 +263,6 @@ void lose_contact(Pair& pair) {
 
 ContactEvent seen_from(Pair& pair, const BodyState& body) {
   ContactEvent event = told(pair);
-  event.kind = pair.kind;
   if (pair.a == &body) return event;
   std::swap(event.a, event.b);
   std::swap(event.user_a, event.user_b);

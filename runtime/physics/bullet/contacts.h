@@ -16,7 +16,7 @@ struct Pair {
   std::uint64_t seen = 0;      // the last step in which they touched
   double depth = 0;            // smallest distance in that step, m
   std::size_t index = 0;       // in the book
-  ContactEvent event;          // of that step; see told()
+  ContactEvent event;          // of that step; ask told()
   KeptContact* kept = nullptr; // where it is read from, when it is asked for
   bool unread = false;
   EventKind kind = EventKind::enter;  // of the last step
@@ -46,6 +46,8 @@ class ContactBook {
 
 // Two bodies that touched go on touching up to this distance, m: a resting body's contacts breathe.
 constexpr double kStillTouching = 0.005;
+// Most contacts stay and nobody asks: what there is to tell of them is found out when somebody does.
+const ContactEvent& told(Pair& pair);
 // The event as `body` sees it, as if it were a.
 ContactEvent seen_from(Pair& pair, const BodyState& body);
 // The contact that it is read from is about to go.

@@ -55,7 +55,7 @@ void World::each_debug_joint(const std::function<void(const DebugJoint&)>& f) co
 
 void World::each_contact(const std::function<void(const ContactEvent&)>& f) const {
   for (const auto& pair : impl_->book.pairs())
-    if (!pair->trigger) f(pair->event);
+    if (!pair->trigger) f(told(*pair));
 }
 
 }  // namespace tumble

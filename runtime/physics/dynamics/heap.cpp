@@ -265,17 +265,18 @@ template <class F>
 void HeapOf<F>::solve_in_rounds(int least, const Aim& aim) {
   std::fill(stirred_.begin(), stirred_.end(), -1);
   for (int round = 0; round < kMostRounds; ++round) {
-    const double loose = (round < kFewRounds ? kQuiet : kLoose) / aim.per_second;
+    const auto loose = static_cast<float>((round < kFewRounds ? kQuiet : kLoose) / aim.per_second);
     bool any = false;
     for (Batch<F>& batch : batches_) {
       F takes_part = all<F>(1);
       if (round >= least && !find_stirred(batch, round - 1, takes_part)) continue;
       const F changed = solve(batch, rows_.data(), velocities_.data(), aim, takes_part);
+      if (!any_reaches(changed, loose)) continue;
+      any = true;
       for (int i = 0; i < kLanes<F>; ++i) {
         if (lane(changed, i) < loose) continue;
         if (batch.a[i]) stirred_[static_cast<std::size_t>(batch.a[i])] = round;
         if (batch.b[i]) stirred_[static_cast<std::size_t>(batch.b[i])] = round;
-        any = true;
       }
     }
     if (round + 1 >= least && !any) break;

@@ -38,6 +38,13 @@ inline Four root(Four f) { return _mm_sqrt_ps(f); }
 inline Four root(Four f) { return {std::sqrt(f[0]), std::sqrt(f[1]), std::sqrt(f[2]), std::sqrt(f[3])}; }
 #endif
 
+inline bool any_reaches(float f, float value) { return f >= value; }
+#ifdef __SSE__
+inline bool any_reaches(Four f, float value) { return _mm_movemask_ps(_mm_cmpge_ps(f, all<Four>(value))) != 0; }
+#else
+inline bool any_reaches(Four f, float value) { return f[0] >= value || f[1] >= value || f[2] >= value || f[3] >= value; }
+#endif
+
 template <class F>
 struct Triple {
   F x{}, y{}, z{};
