@@ -28,11 +28,21 @@ struct BodyWire {
   Wire solids, triggers;
 };
 
+// How a body was, and how long a step was to be, when its box was made.
+struct Boxed {
+  double travel = -1;
+  unsigned placed = 0;
+  Vec3 velocity, turning;
+  double seconds = 0, fall = 0;
+  bool operator==(const Boxed&) const = default;
+};
+
 struct BodyState {
   // What each look at a pair needs, side by side.
   double travel = 0;              // m, how far its surface has gone in all steps
   double ahead = 0;               // m, how far it goes in the next, as it moves now
   unsigned placed = 0;            // how often it was put somewhere other than by the solver
+  Boxed boxed;
   bool in_heap = false;           // the last step solved it in one; see dynamics/heap.h
   bool is_convex = false;         // its solids are the one shape `convex`
   bool has_belt = false;          // its surface runs
@@ -61,7 +71,7 @@ struct BodyState {
   Vec3 force, torque;             // for the whole next step
   Vec3 start_velocity, start_turning;  // before the step
   btTransform last_good;          // before the step, finite
-  btTransform still_at;           // where it began to be still
+  Pose still_at;                  // where it began to be still
   double still_seconds = 0;       // how long it has hardly moved from there
   bool was_asleep = false;
   bool moving = false;            // kinematic: `path` holds for the next step

@@ -187,10 +187,17 @@ btPersistentManifold* PairDispatcher::getNewManifold(const btCollisionObject* a,
 
 // ---- a pass
 
+// A step ends with boxes for queries, and the next begins with the same ones unless somebody did something in between.
 void StepWorld::enlarge(btCollisionObject& object) {
+  BodyState& body = *state_of(&object);
+  if (&object == body.rigid.get()) {
+    const Boxed now{body.travel, body.placed, from_bullet(body.rigid->getLinearVelocity()), from_bullet(body.rigid->getAngularVelocity()),
+                    pairs_.seconds, pairs_.fall};
+    if (now == body.boxed) return;
+    body.boxed = now;
+  }
   btVector3 low, high;
   object.getCollisionShape()->getAabb(object.getWorldTransform(), low, high);
-  BodyState& body = *state_of(&object);
   const double spinning = whirl(body) * pairs_.seconds, around = std::min(kMargin, kMarginPart * body.extent) + pairs_.fall + spinning;
   const btVector3 way = body.rigid->getLinearVelocity() * pairs_.seconds, edge(around, around, around);
   body.ahead = way.length() + spinning;

@@ -136,6 +136,7 @@ bool World::has(BodyId body) const { return impl_->bodies.get(body) != nullptr; 
 std::uint64_t World::user(BodyId body) const { return impl_->body(body).user; }
 
 void World::Impl::enter(BodyState& body) {
+  body.boxed = {};
   bullet.addRigidBody(body.rigid.get(), 1, -1);  // who meets whom is PairFilter's business
   if (body.ghost) {
     bullet.addCollisionObject(body.ghost.get(), 1, -1);
@@ -143,7 +144,7 @@ void World::Impl::enter(BodyState& body) {
   }
   body.enabled = true;
   body.still_seconds = 0;
-  body.still_at = body.rigid->getWorldTransform();
+  body.still_at = body.center;
   body.was_asleep = false;
   if (body.dynamic()) {
     dynamics.insert(std::upper_bound(dynamics.begin(), dynamics.end(), &body, older), &body);
@@ -251,6 +252,7 @@ void World::configure(BodyId id, const BodyDef& def) {
 // Bullet keeps the friction of known contact points, and asks who meets whom only where boxes meet anew.
 void World::Impl::refresh_pairs(BodyState& body) {
   if (!body.enabled) return;
+  body.boxed = {};
   bullet.refreshBroadphaseProxy(body.rigid.get());
   if (body.ghost) bullet.refreshBroadphaseProxy(body.ghost.get());
   stir(body);
@@ -263,7 +265,7 @@ void World::Impl::wake(BodyState& body) {
   body.rigid->forceActivationState(ACTIVE_TAG);
   body.rigid->setDeactivationTime(0);
   body.still_seconds = 0;
-  body.still_at = body.rigid->getWorldTransform();
+  body.still_at = body.center;
 }
 
 void World::Impl::wake_touching(BodyState& body) {

@@ -16,6 +16,7 @@ void World::teleport(BodyId id, const Pose& pose) {
   body.place(body.to_center({pose.position, normalized(pose.rotation)}));
   body.last_good = body.rigid->getWorldTransform();
   if (!body.enabled) return;
+  body.boxed = {};
   world.bullet.updateSingleAabb(body.rigid.get());
   if (body.ghost) world.bullet.updateSingleAabb(body.ghost.get());
   world.refresh_pairs(body);  // old contact points are of the old place

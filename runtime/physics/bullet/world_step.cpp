@@ -143,7 +143,7 @@ void World::Impl::rest(BodyState& body, double seconds) {
     body.was_asleep = asleep;
     if (!asleep) {  // woken by another: it is given time
       body.still_seconds = 0;
-      body.still_at = rigid.getWorldTransform();
+      body.still_at = body.center;
     }
     events.sleeps.push_back({body.id, asleep});
     if (body.ghost && asleep) body.ghost->forceActivationState(ISLAND_SLEEPING);
@@ -158,9 +158,9 @@ void World::Impl::rest(BodyState& body, double seconds) {
 }
 
 bool World::Impl::keeps_still(BodyState& body) const {
-  const btTransform &now = body.rigid->getWorldTransform(), &then = body.still_at;
-  const Quat turn = from_bullet(now.getRotation() * then.getRotation().inverse());
-  const double way = (now.getOrigin() - then.getOrigin()).length() + 2 * length(Vec3{turn.x, turn.y, turn.z}) * body.extent;
+  const Pose &now = body.center, &then = body.still_at;
+  const Quat turn = now.rotation * conjugate(then.rotation);
+  const double way = distance(now.position, then.position) + 2 * length(Vec3{turn.x, turn.y, turn.z}) * body.extent;
   if (way <= std::min(kStillWay, kStillPart * body.extent)) return true;
   body.still_at = now;
   return false;

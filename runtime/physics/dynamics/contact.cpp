@@ -157,7 +157,7 @@ double Contact::solve_normals(double h, const Softness* soft) {
     if (point.mobility <= 0) continue;
     double bias = 0, mass_scale = 1, impulse_scale = 0;
     // What is still apart after the drift is the next substep's business.
-    if (!soft && point.separation > 0 && point.impulse == 0) continue;
+    if (!soft && ((point.separation > 0 && point.impulse == 0) || hits_next(point))) continue;
     if (soft && point.separation > 0) {
       bias = point.separation / h;
     } else if (soft) {

@@ -95,6 +95,7 @@ struct Contact {
 
  private:
   double closing(const TouchPoint& point) const;
+  bool hits_next(const TouchPoint& point) const;  // right when the next substep begins
   double gap_at(const TouchPoint& point, double time, double h) const;
   double closing_at(const TouchPoint& point, double time, double h) const;
   void push(const TouchPoint& point, double impulse);

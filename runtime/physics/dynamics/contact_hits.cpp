@@ -45,6 +45,10 @@ double Contact::next_hit(double from, double h) {
   return first;
 }
 
+bool Contact::hits_next(const TouchPoint& point) const {
+  return point.restitution > 0 && point.impulse == 0 && point.hit == 0 && std::abs(point.separation) <= kTouching && closing(point) >= kSlowestBounce;
+}
+
 bool Contact::bounces() const {
   return std::any_of(points, points + count, [](const TouchPoint& point) { return point.restitution > 0; });
 }

@@ -14,8 +14,8 @@ namespace {
 constexpr std::size_t kFewest = 8;   // contacts
 // Rounds go on, where it still runs, while speeds change by more than so many m/s for each second of a substep: a few rounds
 // until a stack does not tremble, and many while a blow goes through it.
-constexpr double kQuiet = 1, kLoose = 5;
-constexpr int kFewRounds = 8, kMostRounds = 80;
+constexpr double kQuiet = 1, kLoose = 25;
+constexpr int kFewRounds = 4, kMostRounds = 80;
 constexpr int kColors = 63;          // and one more for what has neighbours in all of them, a contact to a batch
 
 bool plain(const Mover& mover) {

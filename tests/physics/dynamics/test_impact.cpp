@@ -4,6 +4,8 @@
 
 #include <deque>
 
+#include "physics/physical.h"
+
 using namespace tumble;
 using dynamics::Contact;
 using dynamics::Mover;
@@ -77,5 +79,21 @@ TEST_CASE("impact: two balls that meet aside part along the line of their centre
     CHECK(distance(still.velocity, n * -impulse) < 1e-9);
     const double met = (1.02 + n.x) / 4, left = 1.0 / 20 - met;
     CHECK(distance(still.position, n * (-impulse * left)) < 1e-9);
+  }
+}
+
+TEST_CASE("impact: a hit that falls between two steps is one", "[physics]") {
+  for (const double speed : {1.0, 3.7, 4.0, 16.0}) {
+    Scene scene(weightless());
+    scene.add(body(box({1, 4, 4}), BodyType::fixed), {0.5, 0, 0});
+    BodyDef def = body(ball(0.5));
+    def.velocity = {speed, 0, 0};
+    def.restitution = 1;
+    const BodyId id = scene.add(def, {-0.5 - 6 * speed * kTick, 0, 0});
+
+    scene.run(0.2);
+
+    INFO(speed << " m/s");
+    CHECK(scene.world.velocity(id).x == Approx(-speed));
   }
 }
