@@ -14,7 +14,14 @@ namespace tumble::cli {
 
 namespace {
 
+#ifdef TUMBLE_SANITIZED
+constexpr bool kSanitized = true;
+// Programs of others would have to be built for it too, and the suite would take an hour.
+const char* const kShellTests[] = {"tests/cli"};
+#else
+constexpr bool kSanitized = false;
 const char* const kShellTests[] = {"tests/cli", "tests/window", "tests/embed", "tests/accuracy"};
+#endif
 
 bool is_game(const fs::path& folder) { return fs::exists(folder / "main.lua") || fs::exists(folder / "game.json"); }
 
@@ -54,7 +61,8 @@ void run_part(const std::string& part, Tally& tally) {
   if (tally.passed + tally.failed == 0) throw Error("test: no part '" + part + "'; give a folder of tests or tests/lua, or a game's folder");
 }
 
-int test(const std::string& what) {
+int test(const std::string& what, bool sanitize) {
+  if (sanitize && !kSanitized) throw Error("test: --sanitize needs a build of its own, which the launcher makes: ./tumble test --sanitize");
   Tally tally;
   if (!what.empty() && fs::is_directory(what) && is_game(what)) {
     run_game_tests(what, tally);
@@ -73,7 +81,9 @@ void add_test(CLI::App& app, int& status) {
   auto what = std::make_shared<std::string>();
   CLI::App* verb = app.add_subcommand("test", "Run all tests, one part of them (physics, script, embed ...), or a game's own");
   verb->add_option("what", *what, "Nothing: all of them")->type_name("PART|GAME");
-  verb->callback([what, &status] { status = test(*what); });
+  auto sanitize = std::make_shared<bool>(false);
+  verb->add_flag("--sanitize", *sanitize, "Looks for misused memory and undefined sums too (build/sanitize, a quarter of an hour)");
+  verb->callback([what, sanitize, &status] { status = test(*what, *sanitize); });
 }
 
 }  // namespace tumble::cli
