@@ -65,7 +65,6 @@ void Mechanism::find_bodies() {
 
 void Mechanism::begin_step(double h) {
   whip_ *= kRemembered;
-  pulled_ = false;
   find_bodies();
   for (Link* link : links_) refresh(*link);
   std::vector<Drive> drives;
@@ -328,7 +327,6 @@ void Mechanism::note_stiffness(double h) {
     mover->stiff_axis = normalized(mover->stiff_axis);
     const double own = std::max({mover->inertia.x, mover->inertia.y, mover->inertia.z}) * kOwnStiffness;
     mover->stiffness = mover->stiff_axis == Vec3{} ? 0 : std::max(0.0, mover->stiffness - own);
-    pulled_ |= mover->stiffness > 0;
   }
 }
 

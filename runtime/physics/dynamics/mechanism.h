@@ -19,9 +19,9 @@ class Mechanism {
   const std::vector<Mover*>& bodies() const { return bodies_; }  // that can be pushed
   bool touched = false;  // a contact acts on one of its bodies
 
-  // How much energy it took to close gaps, of that of the motion, over h^2: what whips round wants smaller substeps. 0 where
-  // a heavy pull is taken implicitly: there a change of substeps is a change of inertia.
-  double whip() const { return pulled_ ? 0 : whip_; }  // of the last step
+  // How much energy it took to close gaps, of that of the motion, over h^2: what whips round wants smaller substeps. Of
+  // the last steps.
+  double whip() const { return whip_; }
   // At the start of a step: descriptions may have changed, bodies may have jumped.
   void begin_step(double h);
   // Before the first kick of a substep.
@@ -69,7 +69,6 @@ class Mechanism {
   Eigen::VectorXd pull_;         // of the whole of the last one
   Factor factor_;
   double whip_ = 0;
-  bool pulled_ = false;          // was a pull taken implicitly in the last step?
   bool aimed_ = false;
 };
 
