@@ -77,7 +77,7 @@ void describe(BodyDef& body, Schema& s) {
   s.add("collides_with", body.collides_with,
         "Names of the groups it meets; empty: all. \"default\" is the default group. Two bodies meet if both agree.");
   s.add("trigger", body.trigger, "Reports what is in it and lets everything through.");
-  s.add("continuous", body.continuous, "Swept, so that it cannot pass through thin things; where it is not given, only while it is fast.");
+  s.add("continuous", body.continuous, "Met ahead on its whole way in a tick, so that it cannot pass through thin things, which is so where it is not given; false: only within its own size.");
   s.add("can_sleep", body.can_sleep, "May it fall asleep where it rests?");
   s.add("colliders", body.colliders, "Its shapes; fitted where none is given.");
   s.check<BodyDef>([](const BodyDef& def) {

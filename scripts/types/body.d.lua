@@ -29,7 +29,7 @@
 ---@field group string A name from physics.groups; empty is the default group.
 ---@field collides_with (string)[]|string Names of the groups it meets; empty: all. "default" is the default group. Two bodies meet if both agree.
 ---@field trigger boolean Reports what is in it and lets everything through.
----@field continuous? boolean Swept, so that it cannot pass through thin things; where it is not given, only while it is fast.
+---@field continuous? boolean Met ahead on its whole way in a tick, so that it cannot pass through thin things, which is so where it is not given; false: only within its own size.
 ---@field can_sleep boolean May it fall asleep where it rests?
 ---@field colliders (collider_options|string)[]|collider_options|string Its shapes; fitted where none is given.
 local body = {}
@@ -121,7 +121,7 @@ function body:set_angular_velocity(velocity) end
 ---@field group? string A name from physics.groups; empty is the default group.
 ---@field collides_with? (string)[]|string Names of the groups it meets; empty: all. "default" is the default group. Two bodies meet if both agree.
 ---@field trigger? boolean Reports what is in it and lets everything through.
----@field continuous? boolean Swept, so that it cannot pass through thin things; where it is not given, only while it is fast.
+---@field continuous? boolean Met ahead on its whole way in a tick, so that it cannot pass through thin things, which is so where it is not given; false: only within its own size.
 ---@field can_sleep? boolean May it fall asleep where it rests?
 ---@field colliders? (collider_options|string)[]|collider_options|string Its shapes; fitted where none is given.
 

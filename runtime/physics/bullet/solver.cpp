@@ -11,8 +11,7 @@ namespace {
 using dynamics::Contact;
 using dynamics::Mechanism;
 using dynamics::Mover;
-
-double reciprocal(double x) { return x > 0 ? 1 / x : 0; }
+using dynamics::reciprocal;
 
 }  // namespace
 

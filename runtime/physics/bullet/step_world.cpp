@@ -137,10 +137,13 @@ Placed at_part(btCollisionObject& object, double part) {
   return {object, at};
 }
 
-// Is it in there at the end of the step, or, if it was not before, was it at any time of it? What is faster than it is thick is looked at on its way as well.
+// Is it in there at the end of the step, or, if it was not before, was it at any time of it? What is faster than it is
+// thick is looked at on its way as well.
 void look_into_trigger(btBroadphasePair& pair, PairDispatcher& pairs, const btDispatcherInfo& info, btCollisionObject& a, btCollisionObject& b) {
   const BodyState &body_a = *state_of(&a), &body_b = *state_of(&b);
-  const double way = (at_part(a, 0).at.getOrigin() - a.getWorldTransform().getOrigin() - at_part(b, 0).at.getOrigin() + b.getWorldTransform().getOrigin()).length();
+  const btVector3 way_a = at_part(a, 0).at.getOrigin() - a.getWorldTransform().getOrigin();
+  const btVector3 way_b = at_part(b, 0).at.getOrigin() - b.getWorldTransform().getOrigin();
+  const double way = (way_a - way_b).length();
   const double thick = inner_radius(body_a.def) + inner_radius(body_b.def);
   const int looks = thick > 0 ? std::clamp(static_cast<int>(std::ceil(std::min(way / thick, 1e6))), 1, kMostLooks) : 1;
   process(pair, pairs, info, at_part(a, 1), at_part(b, 1));

@@ -97,7 +97,8 @@ void Contact::begin(double h) {
 void Contact::note_mobility() {
   for (int i = 0; i < count; ++i) {
     TouchPoint& point = points[i];
-    point.mobility = mobility_along(*a, normal, cross(point.arm_a + slid_a_, normal)) + mobility_along(*b, normal, cross(point.arm_b + slid_b_, normal));
+    point.mobility = mobility_along(*a, normal, cross(point.arm_a + slid_a_, normal)) +
+                     mobility_along(*b, normal, cross(point.arm_b + slid_b_, normal));
   }
 }
 

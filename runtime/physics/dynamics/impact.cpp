@@ -72,11 +72,8 @@ void blow(const std::vector<Contact*>& group, const std::vector<Mechanism*>& mec
 }  // namespace
 
 void bounce(const std::vector<Contact*>& contacts, const std::vector<Mechanism*>& mechanisms, double h) {
+  if (std::none_of(contacts.begin(), contacts.end(), [h](Contact* contact) { return contact->next_hit(0, h) <= h; })) return;
   std::vector<Contact*> lively;
-  for (Contact* contact : contacts)
-    if (contact->next_hit(0, h) <= h) lively.push_back(contact);
-  if (lively.empty()) return;
-  lively.clear();
   for (Contact* contact : contacts)
     if (contact->bounces()) lively.push_back(contact);
 

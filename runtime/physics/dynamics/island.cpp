@@ -79,8 +79,6 @@ void separate_carriers(std::deque<Mover>& movers, std::vector<Island>& islands) 
 
 // ---- how many substeps
 
-double reciprocal(double x) { return x > 0 ? 1 / x : 0; }
-
 // How fast a spinning body wavers about its principal axes, rad/s: for a spin w about axis 1 and moments I,
 // w sqrt((I1 - I2) (I1 - I3) / (I2 I3)).
 double nutation(const Mover& mover) {

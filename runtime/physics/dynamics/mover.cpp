@@ -6,9 +6,6 @@ namespace tumble::dynamics {
 
 namespace {
 
-// Nothing turns what has no moment: a body without colliders.
-double reciprocal(double moment) { return moment > 0 ? 1 / moment : 0; }
-
 bool is_free(Vec3 factor) { return factor == Vec3{1, 1, 1}; }
 
 // A locked axis turns by nothing and the others turn against it as about a bearing: the inverse of the block that is

@@ -5,6 +5,9 @@
 
 namespace tumble::dynamics {
 
+// 0 of what is not above 0: nothing turns what has no moment.
+constexpr double reciprocal(double x) { return x > 0 ? 1 / x : 0; }
+
 struct Mover {
   Vec3 position;               // centre of mass, world, m
   Quat rotation;               // from its principal axes to the world
