@@ -17,7 +17,7 @@ double ms_of(clockid_t clock) {
 const std::vector<Bench>& all() {
   static const std::vector<Bench> list = {
       {"lua_nodes", lua_nodes}, {"lua_wall", lua_wall},   {"drawing", drawing},          {"reload", reload},
-      {"first_frame", first_frame}, {"collector", collector}, {"static_nodes", static_nodes},
+      {"first_frame", first_frame}, {"collector", collector}, {"static_nodes", static_nodes}, {"idle_physics", idle_physics},
   };
   return list;
 }

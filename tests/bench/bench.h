@@ -30,6 +30,7 @@ std::vector<Result> reload();
 std::vector<Result> first_frame();
 std::vector<Result> collector();
 std::vector<Result> static_nodes();
+std::vector<Result> idle_physics();
 
 // Of this thread, ms.
 double processor_ms();
