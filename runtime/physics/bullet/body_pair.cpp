@@ -4,6 +4,7 @@
 
 #include "physics/bullet/contacts.h"
 #include "physics/bullet/materials.h"
+#include "physics/bullet/same_points.h"
 
 namespace tumble {
 
@@ -14,11 +15,6 @@ using dynamics::TouchPoint;
 
 // A look holds until the bodies have gone this far, m, or this part of the smaller one.
 constexpr double kMostTravel = 3e-3, kMostTravelPart = 0.01;
-// Points of two looks that lie nearer on either body are one, as a part of the smaller one: where edges nearly lie on each
-// other, their crossing runs far along them for a hair of a turn.
-constexpr double kSamePoint = 0.15;
-// Cosine of the angle within which an impulse along the old normal says something about the new one.
-constexpr double kSameNormal = 0.9;
 
 double smaller_extent(const BodyState& a, const BodyState& b) {
   if (!a.dynamic() || !b.dynamic()) return a.dynamic() ? a.extent : b.extent;
@@ -27,26 +23,8 @@ double smaller_extent(const BodyState& a, const BodyState& b) {
 
 bool stays(const BodyState& body) { return !body.dynamic() || body.in_heap; }
 
-// What pressed at the old points presses at the new ones; the nearest two first, so that one that moved far does not take
-// its neighbour's.
-void take_over(const TouchPoint* old, int count, Contact& contact, double near) {
-  bool taken[Contact::kMostPoints] = {}, done[Contact::kMostPoints] = {};
-  if (count == 1 && contact.count == 1) near = INFINITY;  // what rolls has one point, and it runs
-  for (;;) {
-    int from = -1, to = -1;
-    double least = near;
-    for (int i = 0; i < count; ++i)
-      for (int k = 0; k < contact.count && !taken[i]; ++k) {
-        if (done[k]) continue;
-        // A corner stays where it is on its own body, a crossing of edges on one of the two.
-        const double d = std::min(distance(old[i].arm_a, contact.points[k].arm_a), distance(old[i].arm_b, contact.points[k].arm_b));
-        if (d < least) least = d, from = i, to = k;
-      }
-    if (from < 0) return;
-    taken[from] = done[to] = true;
-    contact.points[to].impulse = old[from].impulse;
-  }
-}
+// A corner stays where it is on its own body, a crossing of edges on one of the two.
+double moved(const TouchPoint& old, const TouchPoint& made) { return std::min(distance(old.arm_a, made.arm_a), distance(old.arm_b, made.arm_b)); }
 
 }  // namespace
 
@@ -111,7 +89,9 @@ void BodyPair::write(const pairs::Manifold& found) {
     point.restitution = surface.restitution;
     point.impulse = 0;
   }
-  if (alike) take_over(old, count, contact, kSamePoint * smaller_extent(a_, b_));
+  if (!alike) return;
+  match_points(count, contact.count, kSamePoint * smaller_extent(a_, b_), [&](int i, int k) { return moved(old[i], contact.points[k]); },
+               [&](int i, int k) { contact.points[k].impulse = old[i].impulse; });
 }
 
 }  // namespace tumble

@@ -5,15 +5,11 @@
 
 #include <algorithm>
 
+#include "physics/bullet/same_points.h"
+
 namespace tumble {
 
 namespace {
-
-// Points of two passes that lie nearer on either body are one, as a part of the smaller one: where edges nearly lie on each
-// other, their crossing runs far along them for a hair of a turn.
-constexpr double kSamePoint = 0.15;
-// Cosine of the angle within which an impulse along the old normal says something about the new one.
-constexpr double kSameNormal = 0.9;
 
 struct Side {
   const btCollisionObjectWrapper& wrap;
@@ -90,23 +86,11 @@ void OldPoints::add(const btPersistentManifold& manifold) {
 }
 
 void OldPoints::give(btPersistentManifold& manifold, double near) {
-  bool done[MANIFOLD_CACHE_SIZE] = {};
-  const int made = manifold.getNumContacts();
-  if (count_ == 1 && made == 1) near = BT_LARGE_FLOAT;  // what rolls has one point, and it runs
-  // The nearest two first, so that one that moved far does not take its neighbour's impulse.
-  for (;;) {
-    int best_old = -1, best_made = -1;
-    double least = near;
-    for (int i = 0; i < count_; ++i)
-      for (int k = 0; k < made && !taken_[i]; ++k) {
-        const btManifoldPoint &from = points_[i], &to = manifold.getContactPoint(k);
-        if (done[k] || from.m_normalWorldOnB.dot(to.m_normalWorldOnB) < kSameNormal) continue;
-        if (const double d = moved(from, to); d < least) least = d, best_old = i, best_made = k;
-      }
-    if (best_old < 0) return;
-    taken_[best_old] = done[best_made] = true;
-    take_over(points_[best_old], manifold.getContactPoint(best_made));
-  }
+  const auto distance = [&](int i, int k) {
+    const btManifoldPoint &from = points_[i], &to = manifold.getContactPoint(k);
+    return from.m_normalWorldOnB.dot(to.m_normalWorldOnB) < kSameNormal ? INFINITY : moved(from, to);
+  };
+  match_points(count_, manifold.getNumContacts(), near, distance, [&](int i, int k) { take_over(points_[i], manifold.getContactPoint(k)); });
 }
 
 void write_points(const Touch* touches, int count, const btCollisionObjectWrapper& a, const btCollisionObjectWrapper& b, double margin,

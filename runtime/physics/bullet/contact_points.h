@@ -26,7 +26,6 @@ class OldPoints {
  private:
   int count_ = 0;
   btManifoldPoint points_[kMost];
-  bool taken_[kMost] = {};
 };
 
 // Makes these, at most four, the only points of a manifold of the two bodies (in either order). What Bullet does at

@@ -1,8 +1,8 @@
 // Our contact search (physics/pairs) in the place of Bullet's: for two convex shapes, and for the parts of compounds.
 //
 // What matters of how Bullet 3.24 calls such an algorithm:
-// - The dispatcher's near callback makes one per overlapping pair of bodies, without a manifold, and keeps it as long as
-//   their boxes overlap. It owns its manifold, and writes all points of it anew in every pass.
+// - Pairs of bodies of one convex part have a BodyPair. CompoundPair makes one of these for a part that is near, without a
+//   manifold, and keeps it as long. It owns its manifold, and writes all points of it anew in every pass.
 // - btConvexConcaveCollisionAlgorithm, now used by queries only (MeshPair stands in its place), has one manifold for a
 //   mesh and makes an algorithm for every triangle and pass. It hands that manifold to the algorithm, or, if the result has
 //   a distance threshold, asks for a "closest points" algorithm without one; either way the result already carries it.

@@ -59,6 +59,7 @@ void World::configure(const WorldSettings& settings) {
   if (new_groups) impl_->change_groups(settings.groups);
   impl_->settings = settings;
   impl_->apply_settings();
+  for (KeptContact* kept : impl_->dispatcher.kept) kept->spoil();  // a look found their friction
   if (new_gravity || !settings.sleeping)
     for (BodyState* body : impl_->dynamics) impl_->wake(*body);
 }

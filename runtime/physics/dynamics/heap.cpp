@@ -12,6 +12,7 @@ namespace tumble::dynamics {
 namespace {
 
 constexpr std::size_t kFewest = 8;   // contacts
+constexpr std::size_t kCrowd = 60;   // contacts from which on fast bodies are not looked at in each substep
 // Rounds go on, where it still runs, while speeds change by more than so many m/s for each second of a substep: a few rounds
 // until a stack does not tremble, and many while a blow goes through it.
 constexpr double kQuiet = 1, kLoose = 25;
@@ -41,7 +42,7 @@ Vec3 get(const float* v) { return {v[0], v[1], v[2]}; }
 
 bool is_heap(const Island& island) {
   if (island.contacts.size() < kFewest || !island.mechanisms.empty() || island.bouncy) return false;
-  if (!island.looks.empty() && island.contacts.size() < 60) return false;
+  if (!island.looks.empty() && island.contacts.size() < kCrowd) return false;
   return std::all_of(island.movers.begin(), island.movers.end(), [](const Mover* mover) { return plain(*mover); });
 }
 
@@ -68,7 +69,7 @@ void HeapOf<F>::set_drive(std::size_t i, double h) {
   const Mover& mover = *record.mover;
   const Flight f = flight(mover.damping, h), turning = flight(mover.angular_damping, h);
   const Vec3 pull = mover.acceleration / record.root_mass;
-  const Vec3 twist{dot(record.across[0], mover.torque), dot(record.across[1], mover.torque), dot(record.across[2], mover.torque)};
+  const Vec3 twist = record.scaled(mover.torque);
   Drive& drive = drives_[i];
   set(drive.kept, f.kept, turning.kept);
   set(drive.gained.along, pull * f.gained);
@@ -106,8 +107,7 @@ template <class F>
 void HeapOf<F>::color() {
   std::vector<std::uint64_t> taken(records_.size());
   for (Member& member : members_) {
-    const auto a = static_cast<std::size_t>(member.contact->a->pushable ? member.contact->a->record : 0);
-    const auto b = static_cast<std::size_t>(member.contact->b->pushable ? member.contact->b->record : 0);
+    const auto a = static_cast<std::size_t>(index_of(*member.contact->a)), b = static_cast<std::size_t>(index_of(*member.contact->b));
     const std::uint64_t both = taken[a] | taken[b];
     member.color = std::min(kColors, std::countr_one(both));
     if (member.color == kColors) continue;
@@ -154,8 +154,8 @@ void HeapOf<F>::fill(Batch<F>& batch, int i, Member& member, double h) {
   Contact& contact = *member.contact;
   const Mover &a = *contact.a, &b = *contact.b;
   const Record &of_a = record_of(a), &of_b = record_of(b);
-  batch.a[i] = a.pushable ? a.record : 0;
-  batch.b[i] = b.pushable ? b.record : 0;
+  batch.a[i] = index_of(a);
+  batch.b[i] = index_of(b);
   const double root_a = a.pushable ? of_a.root_mass : 0, root_b = b.pushable ? of_b.root_mass : 0;
   const double lightness = root_a * root_a + root_b * root_b;
   const auto put = [i](F& to, double value) { lane(to, i) = static_cast<float>(value); };
@@ -170,9 +170,7 @@ void HeapOf<F>::fill(Batch<F>& batch, int i, Member& member, double h) {
   for (int k = 0; k < contact.count; ++k) {
     TouchPoint& point = contact.points[k];
     PointRow<F>& row = rows_[static_cast<std::size_t>(batch.first + k)];
-    const Vec3 ra = cross(point.arm_a, contact.normal), rb = cross(point.arm_b, contact.normal);
-    const Vec3 ja{dot(of_a.across[0], ra), dot(of_a.across[1], ra), dot(of_a.across[2], ra)};
-    const Vec3 jb{-dot(of_b.across[0], rb), -dot(of_b.across[1], rb), -dot(of_b.across[2], rb)};
+    const Vec3 ja = of_a.scaled(cross(point.arm_a, contact.normal)), jb = -of_b.scaled(cross(point.arm_b, contact.normal));
     set_lane(row.about_a, i, ja.x, ja.y, ja.z);
     set_lane(row.about_b, i, jb.x, jb.y, jb.z);
     const double mobility = lightness + dot(ja, ja) + dot(jb, jb);
@@ -201,8 +199,8 @@ void HeapOf<F>::fill_friction(Batch<F>& batch, int i, Member& member, double h) 
   const Vec3 rb[3] = {cross(place.arm_b, contact.tangent_1), cross(place.arm_b, contact.tangent_2), contact.normal * place.lever};
   Vec3 ja[3], jb[3];
   for (int k = 0; k < 3; ++k) {
-    ja[k] = {dot(of_a.across[0], ra[k]), dot(of_a.across[1], ra[k]), dot(of_a.across[2], ra[k])};
-    jb[k] = {-dot(of_b.across[0], rb[k]), -dot(of_b.across[1], rb[k]), -dot(of_b.across[2], rb[k])};
+    ja[k] = of_a.scaled(ra[k]);
+    jb[k] = -of_b.scaled(rb[k]);
     set_lane(batch.about_a[k], i, ja[k].x, ja[k].y, ja[k].z);
     set_lane(batch.about_b[k], i, jb[k].x, jb[k].y, jb[k].z);
   }
@@ -343,8 +341,8 @@ void HeapOf<F>::read_back(const Member& member, double h) {
     if (contact.a->pushable) point.arm_a = record_of(*contact.a).turned * point.arm_a;
     if (contact.b->pushable) point.arm_b = record_of(*contact.b).turned * point.arm_b;
   }
-  const auto both = [&](F Triple<F>::*of) { return lane(batch.grip.*of, member.lane) * force; };
-  contact.grip = {both(&Triple<F>::x), both(&Triple<F>::y), both(&Triple<F>::z) * member.lever};
+  const auto grip = [&](F Triple<F>::*of) { return lane(batch.grip.*of, member.lane) * force; };
+  contact.grip = {grip(&Triple<F>::x), grip(&Triple<F>::y), grip(&Triple<F>::z) * member.lever};
 }
 
 template class HeapOf<Four>;

@@ -2,7 +2,7 @@
 //
 // What is dearer than a heap needs is left out: normals, arms and friction's place stay for the whole step as the look
 // found them, only separations follow; numbers are floats; friction is one ellipsoid; nothing bounces. Positions stay
-// double. Where that is not enough, takes() says no.
+// double. Where that is not enough, is_heap() says no.
 #pragma once
 
 #include <vector>
@@ -26,6 +26,7 @@ class HeapOf {
     Vec3 across[3];          // principal axes over the roots of their moments: from a moment to scaled spin
     double root_mass;        // of the inverse mass
     Quat turned;             // in the step
+    Vec3 scaled(Vec3 moment) const { return {dot(across[0], moment), dot(across[1], moment), dot(across[2], moment)}; }
   };
   struct Drive {             // of a scaled motion in a substep, without contacts: velocity * kept + gained
     Motion kept, gained;
@@ -37,7 +38,8 @@ class HeapOf {
     double lever = 0;        // m, of the friction
   };
 
-  const Record& record_of(const Mover& mover) const { return records_[static_cast<std::size_t>(mover.pushable ? mover.record : 0)]; }
+  static int index_of(const Mover& mover) { return mover.pushable ? mover.record : 0; }
+  const Record& record_of(const Mover& mover) const { return records_[static_cast<std::size_t>(index_of(mover))]; }
   void set_up(double h);
   void set_drive(std::size_t i, double h);
   void color();

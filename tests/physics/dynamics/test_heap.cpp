@@ -174,3 +174,23 @@ TEST_CASE("heap: a belt and a carrier take it along", "[physics]") {
     }
   }
 }
+
+TEST_CASE("heap: slides at once where friction's default is taken away", "[physics]") {
+  WorldSettings settings;
+  settings.gravity = {1.5, -9.81, 0};  // held by 0.25, the product of both defaults, of 9.81
+  settings.sleeping = false;
+  Scene scene(settings);
+  scene.floor();
+  std::vector<BodyId> cubes;
+  for (int i = 0; i < 12; ++i) cubes.push_back(scene.add(body(box({0.5, 0.5, 0.5})), {0.52 * (i % 4), 0.25 + 0.5 * (i / 4), 0}));
+  scene.run(1);
+  for (const BodyId id : cubes) CHECK(length(scene.world.velocity(id)) < 0.01);
+
+  settings.default_friction = 0;
+  scene.world.configure(settings);
+  scene.run(0.5);
+
+  double sum = 0;
+  for (const BodyId id : cubes) sum += scene.world.velocity(id).x;
+  CHECK(sum / 12 == Approx(0.75).epsilon(0.02));  // all of 1.5 m/s^2 for half a second
+}
