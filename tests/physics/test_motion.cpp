@@ -207,6 +207,58 @@ TEST_CASE("motion: a body at rest falls asleep within a second and every change 
   CHECK(scene.at(id).y < -1);
 }
 
+TEST_CASE("motion: what flies past wakes nobody, and what touches wakes all that the body lies against", "[physics]") {
+  Scene scene;
+  scene.floor();
+  std::vector<BodyId> row;
+  for (int i = 0; i < 5; ++i) row.push_back(scene.add(body(box({1, 1, 1})), {1.001 * i, 0.5, 0}));
+  scene.run(2);
+  for (const BodyId id : row) {
+    REQUIRE(scene.world.asleep(id));
+    CHECK(scene.world.velocity(id) == Vec3{});
+    CHECK(scene.world.angular_velocity(id) == Vec3{});
+  }
+  scene.world.take_events();
+
+  BodyDef stone = body(ball(0.1));
+  stone.gravity_factor = 0;
+  stone.velocity = {10, 0, 0};
+  scene.add(stone, {-3, 1.22, 0});  // 12 cm above them, by less than its way in a tick
+  scene.run(1);
+  for (const BodyId id : row) CHECK(scene.world.asleep(id));
+
+  const BodyId hit = scene.add(stone, {-3, 0.5, 0});
+  const std::vector<Vec3> before = {scene.at(row[0]), scene.at(row[4])};
+  for (int i = 0; i < 60 && scene.world.asleep(row[0]); ++i) scene.world.step(kTick);
+  for (const BodyId id : row) CHECK_FALSE(scene.world.asleep(id));  // in one step, gaps of a millimetre apart
+  CHECK(scene.at(hit).x > -1.5);
+  int woken = 0;
+  for (const SleepEvent& event : scene.world.take_events().sleeps) woken += !event.asleep;
+  CHECK(woken == 5);
+}
+
+TEST_CASE("motion: who is woken wakes what is joined to him, however many links away", "[physics]") {
+  Scene scene(weightless());
+  std::vector<BodyId> chain;
+  for (int i = 0; i < 30; ++i) chain.push_back(scene.add(body(ball(0.2)), {i * 1.0, 0, 0}));
+  for (std::size_t i = 1; i < chain.size(); ++i) {
+    JointDef def;
+    def.kind = BallDef{};
+    def.a = chain[i - 1];
+    def.b = chain[i];
+    def.anchor = {0.5, 0, 0};
+    scene.world.add(def, 0);
+  }
+  scene.run(2);
+  for (const BodyId id : chain) REQUIRE(scene.world.asleep(id));
+  scene.world.apply_impulse(chain[29], {0, 0.1, 0});
+  for (const BodyId id : chain) CHECK_FALSE(scene.world.asleep(id));
+  scene.run(4);
+  scene.world.sleep(chain[3]);  // alone, which does not last
+  scene.world.step(kTick);
+  CHECK_FALSE(scene.world.asleep(chain[3]));
+}
+
 TEST_CASE("motion: a drifter in empty space does not freeze", "[physics]") {
   Scene scene(weightless());
   const BodyId id = scene.add(body(ball(0.5)), {});

@@ -31,9 +31,16 @@ double moved(const TouchPoint& old, const TouchPoint& made) { return std::min(di
 BodyPair::~BodyPair() {
   if (!kept_) return;
   if (kept_->pair) lose_contact(*kept_->pair);
-  all_.back()->index = kept_->index;
-  all_[kept_->index] = all_.back();
-  all_.pop_back();
+  const std::size_t index = kept_->index;
+  if (index >= found_.size() || found_[index] != kept_.get()) return;
+  found_[index] = found_.back();
+  found_[index]->index = index;
+  found_.pop_back();
+}
+
+void BodyPair::tell() {
+  kept_->index = found_.size();
+  found_.push_back(kept_.get());
 }
 
 bool BodyPair::still_holds(double fall) const {
@@ -56,9 +63,7 @@ void BodyPair::look_anew(double margin) {
     kept_ = std::make_unique<KeptContact>();
     kept_->a = &a_;
     kept_->b = &b_;
-    kept_->index = all_.size();
     kept_->margin = &margin_;
-    all_.push_back(kept_.get());
   }
   write(found);
 }

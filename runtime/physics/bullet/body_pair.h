@@ -14,7 +14,7 @@ namespace tumble {
 // Between steps arms are about the centres of mass of both bodies, impulses are forces.
 struct KeptContact {
   BodyState *a, *b;
-  std::size_t index = 0;       // in the list of all
+  std::size_t index = 0;       // in the list of those that the last look found
   dynamics::Contact contact;
   Pair* pair = nullptr;        // in the book, while they touch
   bool touching = false;       // after the step
@@ -23,30 +23,33 @@ struct KeptContact {
   void spoil() { *margin = -1; }
 };
 
-class BodyPair final : public btCollisionAlgorithm {
+class BodyPair {
  public:
-  // Of two bodies with `convex`. `all` has each pair's contact while there is one.
-  BodyPair(BodyState& a, BodyState& b, std::vector<KeptContact*>& all) : a_(a), b_(b), all_(all) {}
-  ~BodyPair() override;
+  // Of two bodies with `convex`. `found` gets its contact in each look that finds points.
+  BodyPair(BodyState& a, BodyState& b, std::vector<KeptContact*>& found) : a_(a), b_(b), found_(found) {}
+  ~BodyPair();
+  BodyPair(const BodyPair&) = delete;
+  BodyPair& operator=(const BodyPair&) = delete;
 
-  // What may touch within a step in which gravity alone takes a body so far (m). `margin` is asked for only where the last
-  // look does not hold any more.
+  // What may touch within a step in which gravity alone takes a body so far (m); is there anything? `margin` is asked for
+  // only where the last look does not hold any more.
   template <class Margin>
-  void look(double fall, const Margin& margin) {
+  bool look(double fall, const Margin& margin) {
     if (!still_holds(fall)) look_anew(margin());
+    if (near_) tell();
+    return near_;
   }
-
-  void processCollision(const btCollisionObjectWrapper*, const btCollisionObjectWrapper*, const btDispatcherInfo&, btManifoldResult*) override {}
-  btScalar calculateTimeOfImpact(btCollisionObject*, btCollisionObject*, const btDispatcherInfo&, btManifoldResult*) override { return 1; }
-  void getAllContactManifolds(btManifoldArray&) override {}
+  void spoil() { margin_ = -1; }
+  const dynamics::Contact& contact() const { return kept_->contact; }  // after a look that found points
 
  private:
   bool still_holds(double fall) const;
   void look_anew(double margin);
   void write(const pairs::Manifold& found);
+  void tell();
 
   BodyState &a_, &b_;
-  std::vector<KeptContact*>& all_;
+  std::vector<KeptContact*>& found_;
   std::unique_ptr<KeptContact> kept_;
   pairs::Cache cache_;
   double margin_ = -1;         // of the last look, m; below 0 where there was none

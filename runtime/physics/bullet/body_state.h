@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "physics/bullet/boxes.h"
 #include "physics/bullet/shapes.h"
 #include "physics/pairs/convex.h"
 #include "physics/world.h"
@@ -43,6 +44,8 @@ struct BodyState {
   double ahead = 0;               // m, how far it goes in the next, as it moves now
   unsigned placed = 0;            // how often it was put somewhere other than by the solver
   Boxed boxed;
+  bool active = false;            // dynamic and awake, or kinematic and just now moved: see awake.h
+  bool stirred = false;           // not dynamic, and just now moved, added or stopped
   bool in_heap = false;           // the last step solved it in one; see dynamics/heap.h
   bool is_convex = false;         // its solids are the one shape `convex`
   bool has_belt = false;          // its surface runs
@@ -73,7 +76,10 @@ struct BodyState {
   btTransform last_good;          // before the step, finite
   Pose still_at;                  // where it began to be still
   double still_seconds = 0;       // how long it has hardly moved from there
-  bool was_asleep = false;
+  bool was_asleep = false;        // as it was last told
+  bool changed = false;           // it woke or fell asleep since
+  int island = -1;                // of the last step
+  Occupant solid_box, trigger_box;
   bool moving = false;            // kinematic: `path` holds for the next step
   Path path;
   mutable std::unique_ptr<const BodyWire> wire;  // made when the debug view asks for it first
@@ -82,7 +88,7 @@ struct BodyState {
   std::vector<JointPart*> joints;
 
   bool dynamic() const { return def.type == BodyType::dynamic; }
-  bool awake() const { return enabled && rigid->isActive(); }
+  bool awake() const { return dynamic() && active; }
   Pose convex_pose() const { return center * convex_at; }
   Pose pose() const { return from_bullet(rigid->getWorldTransform()) * inverse(frame); }
   btTransform to_center(const Pose& pose) const { return to_bullet(pose * frame); }

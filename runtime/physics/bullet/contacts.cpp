@@ -83,7 +83,7 @@ void read(const KeptContact& kept, Found& found) {
   }
 }
 
-void read(btPersistentManifold& manifold, Found& found) {
+void read(const btPersistentManifold& manifold, Found& found) {
   const btCollisionObject *a = manifold.getBody0(), *b = manifold.getBody1();
   found.a = state_of(a);
   found.b = state_of(b);
@@ -192,8 +192,8 @@ Pair& ContactBook::pair_of(BodyState& a, BodyState& b, bool trigger) {
   return known ? *known : make(older, younger, trigger);
 }
 
-void ContactBook::observe(PairDispatcher& pairs) {
-  for (KeptContact* kept : pairs.kept) {
+void ContactBook::observe(Collision& collision) {
+  for (KeptContact* kept : collision.found()) {
     if (!kept->touching) continue;
     if (!kept->pair) {
       kept->pair = &pair_of(*kept->a, *kept->b, false);
@@ -202,12 +202,11 @@ void ContactBook::observe(PairDispatcher& pairs) {
     kept->pair->seen = step_;
     kept->pair->unread = true;
   }
-  for (int i = 0; i < pairs.getNumManifolds(); ++i) observe(*pairs.getManifoldByIndexInternal(i));
+  for (const Overlap::Kind kind : {Overlap::solids, Overlap::triggers})
+    collision.each_manifold(kind, [this](const btPersistentManifold& manifold) { observe(manifold); });
 }
 
-void ContactBook::observe(btPersistentManifold& manifold) {
-  const btCollisionObject *first = manifold.getBody0(), *second = manifold.getBody1();
-  if (manifold.getNumContacts() == 0 || (!first->isActive() && !second->isActive())) return;
+void ContactBook::observe(const btPersistentManifold& manifold) {
   Found found;
   read(manifold, found);
   const bool swapped = found.a->serial > found.b->serial;
@@ -219,25 +218,29 @@ void ContactBook::observe(btPersistentManifold& manifold) {
   note(*pair, found);
 }
 
-void ContactBook::end_step(Events& events) {
+void ContactBook::end_step(const std::vector<BodyState*>& awake, const std::vector<BodyState*>& carriers, Events& events) {
   std::vector<Sorted> batch;
-  for (std::size_t i = 0; i < pairs_.size();) {
-    Pair& pair = *pairs_[i];
-    const auto add = [&](ContactEvent event, EventKind kind) {
-      event.kind = kind;
-      batch.push_back({kind, pair.a->serial, pair.b->serial, pair.trigger, std::move(event)});
-    };
+  const auto add = [&batch](const Pair& pair, ContactEvent event, EventKind kind) {
+    event.kind = kind;
+    batch.push_back({kind, pair.a->serial, pair.b->serial, pair.trigger, std::move(event)});
+  };
+  const auto look_at = [&](Pair& pair) {
     if (pair.seen == step_) {
       const EventKind kind = pair.kind = pair.told ? EventKind::stay : EventKind::enter;
-      if (!pair.told || pair.a->want_stay || pair.b->want_stay) add(told(pair), kind);
+      if (!pair.told || pair.a->want_stay || pair.b->want_stay) add(pair, told(pair), kind);
       pair.told = true;
-    } else if (pair.a->rigid->isActive() || pair.b->rigid->isActive()) {
-      add(exit_of(pair), EventKind::exit);
+    } else if (pair.a->active || pair.b->active) {
+      add(pair, exit_of(pair), EventKind::exit);
       drop(pair);
-      continue;  // another pair is in its place now
     }
-    ++i;
-  }
+  };
+  const auto looks = [](const BodyState& body) { return body.active || body.stirred; };
+  for (const auto* bodies : {&awake, &carriers})
+    for (BodyState* body : *bodies)
+      for (std::size_t i = body->pairs.size(); i-- > 0;) {
+        Pair& pair = *body->pairs[i];
+        if (body == pair.a || !looks(*pair.a)) look_at(pair);  // once, where both do
+      }
   append_sorted(batch, events);
 }
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "physics/bullet/step_world.h"
+#include "physics/bullet/collision.h"
 
 namespace tumble {
 
@@ -26,8 +26,9 @@ class ContactBook {
  public:
   void begin_step() { ++step_; }
   // After a step: what was found and solved.
-  void observe(PairDispatcher& pairs);
-  void end_step(Events& events);
+  void observe(Collision& collision);
+  // Contacts of these, the only ones that can have changed.
+  void end_step(const std::vector<BodyState*>& awake, const std::vector<BodyState*>& carriers, Events& events);
   // The body leaves or jumps: its pairs end now.
   void end_pairs(BodyState& body, Events& events);
   int touching() const;        // pairs of solids
@@ -38,7 +39,7 @@ class ContactBook {
   Pair& make(BodyState& a, BodyState& b, bool trigger);
   void drop(Pair& pair);
   Pair& pair_of(BodyState& a, BodyState& b, bool trigger);
-  void observe(btPersistentManifold& manifold);
+  void observe(const btPersistentManifold& manifold);
 
   std::vector<std::unique_ptr<Pair>> pairs_;
   std::uint64_t step_ = 0;

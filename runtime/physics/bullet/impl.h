@@ -2,12 +2,12 @@
 // world_joints.cpp, world_step.cpp and world_queries.cpp.
 #pragma once
 
+#include "physics/bullet/collision.h"
 #include "physics/bullet/contacts.h"
 #include "physics/bullet/joint_part.h"
 #include "physics/bullet/materials.h"
 #include "physics/bullet/pair_configuration.h"
 #include "physics/bullet/solver.h"
-#include "physics/bullet/step_world.h"
 
 namespace tumble {
 
@@ -27,17 +27,14 @@ struct World::Impl {
 
   PairConfiguration configuration;
   PairDispatcher dispatcher{&configuration};
-  btDbvtBroadphase broadphase;
-  btSequentialImpulseConstraintSolver unused;  // Bullet's world wants one
-  PairFilter filter;
-  StepWorld bullet{dispatcher, broadphase, unused, configuration};
+  Overlaps overlaps{dispatcher};
+  Awake awake{overlaps};
+  Collision collision{dispatcher, overlaps, awake};
   Solver solver;
-  btRigidBody ground{btRigidBody::btRigidBodyConstructionInfo(0, nullptr, nullptr)};  // the world, as a joint's partner
 
   Pool<Body> bodies;
   Pool<Joint> joints;
   std::uint32_t next_serial = 1, next_joint = 1;
-  std::vector<BodyState*> dynamics;   // enabled dynamic bodies, by age
   std::vector<BodyState*> carriers;   // kinematic or with triggers, and just now moved, added or stopped
   std::vector<JointPart*> live;       // joints that hold, by age
   std::vector<BodyId> moved;
@@ -54,11 +51,11 @@ struct World::Impl {
   [[noreturn]] void fail_group(const char* where, const std::string& name) const;
   void set_groups(BodyState& body, const char* where);
   void change_groups(const std::vector<std::string>& groups);
-  void enter(BodyState& body);        // into Bullet's world
+  void enter(BodyState& body);        // into the world
   void leave(BodyState& body);        // out of it: contacts end, neighbours wake
   void rebuild(BodyState& body, const Pose& pose);
   void refresh_pairs(BodyState& body);
-  void wake(BodyState& body);
+  void wake(BodyState& body) { awake.wake(body); }
   void wake_around(BodyState& body);  // all whose boxes overlap its box
   void wake_touching(BodyState& body);
   void wake_heap(BodyState& body);    // all that sleep on it, and on those
@@ -72,9 +69,11 @@ struct World::Impl {
   void step(double seconds);
   void begin_step(double seconds);
   void end_step(double seconds);
-  bool keeps_still(BodyState& body) const;
   void lose_insane();
-  void rest(BodyState& body, double seconds);
+  void settle(double seconds);        // who is still, and which islands fall asleep
+  void settle_carriers();
+  bool keeps_still(BodyState& body) const;
+  bool is_still(BodyState& body, double seconds) const;
   void break_joints(double seconds);
   void quarantine(BodyState& body);
 };

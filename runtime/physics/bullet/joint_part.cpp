@@ -4,15 +4,6 @@ namespace tumble {
 
 namespace {
 
-class Tie final : public btTypedConstraint {
- public:
-  Tie(btRigidBody& a, btRigidBody& b) : btTypedConstraint(MAX_CONSTRAINT_TYPE, a, b) {}
-  void getInfo1(btConstraintInfo1* info) override { info->m_numConstraintRows = info->nub = 0; }
-  void getInfo2(btConstraintInfo2*) override {}
-  void setParam(int, btScalar, int) override {}
-  btScalar getParam(int, int) const override { return 0; }
-};
-
 JointRows rows_now(const JointPart& joint) {
   JointRows now;
   const JointFrame frame = joint.frame();
@@ -38,11 +29,6 @@ JointFrame JointPart::frame() const {
   return {a ? a->pose() * local_a : local_a, b ? b->pose() * local_b : local_b, center(a), center(b)};
 }
 
-void build(JointPart& joint, btRigidBody& world) {
-  joint.constraint = std::make_unique<Tie>(joint.a ? *joint.a->rigid : world, joint.b ? *joint.b->rigid : world);
-  note_drives(joint);
-}
-
 void note_drives(JointPart& joint) {
   joint.has_motor = false;
   for (const FreeRow& free : rows_now(joint).free) joint.has_motor |= free.freedom.motor && free.freedom.motor->speed.value_or(0) != 0;
@@ -56,7 +42,7 @@ JointState state_of(const JointPart& joint) {
     if (*free.name == 0) continue;
     const double known = i < joint.link.positions.size() ? joint.link.positions[i] : 0;
     const double position = free.turn ? known + std::remainder(free.position - known, 2 * kPi) : free.position;
-    state.freedoms.push_back({free.name, position, joint.constraint ? speed_along(joint, free.row) : 0});
+    state.freedoms.push_back({free.name, position, speed_along(joint, free.row)});
   }
   if (state.freedoms.empty()) return state;
   state.position = state.freedoms[0].position;

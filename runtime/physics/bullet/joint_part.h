@@ -1,7 +1,6 @@
 // A joint of the world: its description, its link in the solver, and what it did.
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "physics/bullet/body_state.h"
@@ -19,17 +18,14 @@ struct JointPart {
   bool broken = false;
   bool live = false;                     // does it hold?
   bool has_motor = false;                // that runs
-  std::unique_ptr<btTypedConstraint> constraint;  // ties both into one island; it does nothing else
   dynamics::Link link;
   Vec3 force, torque;                    // means over the last step
 
   JointFrame frame() const;
-  bool awake() const { return (a && a->rigid->isActive()) || (b && b->rigid->isActive()); }
+  bool awake() const { return (a && a->active) || (b && b->active); }
 };
 
-// Makes the constraint for the bodies as they are; `world` stands for a body that is not given.
-void build(JointPart& joint, btRigidBody& world);
-// After a change of the description: does its motor run?
+// After it was made, or a change of the description: does its motor run?
 void note_drives(JointPart& joint);
 JointState state_of(const JointPart& joint);
 

@@ -9,7 +9,7 @@ namespace {
 // Bullet's pool has elements of one size, and only its own algorithms are counted unless it is told.
 btDefaultCollisionConstructionInfo with_room() {
   btDefaultCollisionConstructionInfo info;
-  const std::size_t most = std::max({sizeof(BodyPair), sizeof(ConvexPair), sizeof(CompoundPair), sizeof(MeshPair)});
+  const std::size_t most = std::max({sizeof(ConvexPair), sizeof(CompoundPair), sizeof(MeshPair)});
   info.m_customCollisionAlgorithmMaxElementSize = static_cast<int>(most);
   return info;
 }

@@ -2,7 +2,6 @@
 // queries but those of two convex shapes, as Bullet has it.
 #pragma once
 
-#include "physics/bullet/body_pair.h"
 #include "physics/bullet/compound_pair.h"
 #include "physics/bullet/convex_pair.h"
 #include "physics/bullet/mesh_pair.h"

@@ -31,9 +31,8 @@ Mover& Solver::add_mover(BodyState& body) {
 
 Mover& Solver::mover_of(const BodyState* body) { return body && body->mover ? *body->mover : movers_.front(); }
 
-void Solver::gather_bodies(const WorldSettings& settings, const std::vector<BodyState*>& dynamics, const std::vector<BodyState*>& carriers) {
-  for (BodyState* body : dynamics) {
-    if (!body->rigid->isActive()) continue;
+void Solver::gather_bodies(const WorldSettings& settings, const std::vector<BodyState*>& awake, const std::vector<BodyState*>& carriers) {
+  for (BodyState* body : awake) {
     Mover& mover = add_mover(*body);
     mover.pushable = true;
     mover.inverse_mass = from_bullet(body->rigid->getLinearFactor()) * reciprocal(body->mass.mass);
@@ -80,16 +79,6 @@ void Solver::find_mechanisms(const std::vector<JointPart*>& live) {
   mechanisms_known_ = true;
 }
 
-// What touched one of them may have woken it after its island was left asleep.
-void Solver::wake_together() {
-  for (const std::vector<JointPart*>& group : groups_) {
-    if (std::none_of(group.begin(), group.end(), [](const JointPart* joint) { return joint->awake(); })) continue;
-    for (const JointPart* joint : group)
-      for (BodyState* body : {joint->a, joint->b})
-        if (body && body->dynamic() && !body->rigid->isActive()) body->rigid->forceActivationState(ACTIVE_TAG);
-  }
-}
-
 void Solver::gather_mechanisms(const std::vector<JointPart*>& live) {
   for (JointPart* joint : live) {
     if (!joint->awake()) continue;
@@ -114,18 +103,17 @@ void Solver::gather_mechanisms(const std::vector<JointPart*>& live) {
 
 // ---- a step
 
-void Solver::begin(const WorldSettings& settings, const std::vector<BodyState*>& dynamics, const std::vector<BodyState*>& carriers,
-                   const std::vector<JointPart*>& live, PairDispatcher& dispatcher, double seconds) {
+void Solver::begin(const WorldSettings& settings, const std::vector<BodyState*>& awake, const std::vector<BodyState*>& carriers,
+                   const std::vector<JointPart*>& live, Collision& collision, double seconds) {
   movers_.clear();
   bodies_.clear();
   awake_.clear();
   movers_.emplace_back();  // what cannot move
   if (!mechanisms_known_) find_mechanisms(live);
-  wake_together();
-  gather_bodies(settings, dynamics, carriers);
+  gather_bodies(settings, awake, carriers);
   for (JointPart* joint : live) joint->link.a = joint->link.b = nullptr;
   if (!live.empty()) gather_mechanisms(live);
-  contacts_.gather(dispatcher, movers_, seconds);
+  contacts_.gather(collision, movers_, seconds);
   islands_ = dynamics::find_islands(movers_, contacts_.list(), awake_);
   contacts_.each_chase([&](Contact& contact, Chase& chase) {
     islands_[static_cast<std::size_t>(contact.island())].looks.emplace_back([&](double h) { chase.look(contact, h); });
@@ -164,6 +152,7 @@ void Solver::end(double seconds) {
     }
     body.go({mover.position, mover.rotation});
     body.in_heap = mover.record > 0;
+    body.island = mover.island;
     body.rigid->setLinearVelocity(to_bullet(mover.velocity));
     body.rigid->setAngularVelocity(to_bullet(mover.spin));
   }

@@ -7,7 +7,6 @@
 #include <memory>
 #include <vector>
 
-#include "physics/bullet/body_state.h"
 #include "physics/bullet/joint_part.h"
 #include "physics/bullet/step_contacts.h"
 #include "physics/dynamics/heap.h"
@@ -21,19 +20,20 @@ class Solver {
   // Joints came, went, or hold other bodies.
   void joints_changed() { mechanisms_known_ = false; }
 
-  // After collision detection and sleep. `live` are the joints that hold.
-  void begin(const WorldSettings& settings, const std::vector<BodyState*>& dynamics, const std::vector<BodyState*>& carriers,
-             const std::vector<JointPart*>& live, PairDispatcher& dispatcher, double seconds);
+  // After collision detection. `live` are the joints that hold.
+  void begin(const WorldSettings& settings, const std::vector<BodyState*>& awake, const std::vector<BodyState*>& carriers,
+             const std::vector<JointPart*>& live, Collision& collision, double seconds);
   // Each island with as many substeps as it needs, `least` and more.
   void run(double seconds, int least, int rounds);
   void end(double seconds);
+  // How many islands the last step had; BodyState::island is one of them.
+  int islands() const { return static_cast<int>(islands_.size()); }
 
  private:
   dynamics::Mover& add_mover(BodyState& body);
   dynamics::Mover& mover_of(const BodyState* body);
-  void gather_bodies(const WorldSettings& settings, const std::vector<BodyState*>& dynamics, const std::vector<BodyState*>& carriers);
+  void gather_bodies(const WorldSettings& settings, const std::vector<BodyState*>& awake, const std::vector<BodyState*>& carriers);
   void find_mechanisms(const std::vector<JointPart*>& live);
-  void wake_together();
   void gather_mechanisms(const std::vector<JointPart*>& live);
 
   std::deque<dynamics::Mover> movers_;

@@ -142,22 +142,19 @@ Mover* on_ground(const Contact& contact) {
 
 }  // namespace
 
-void StepContacts::gather(PairDispatcher& pairs, std::deque<Mover>& movers, double seconds) {
+void StepContacts::gather(Collision& collision, std::deque<Mover>& movers, double seconds) {
   list_.clear();
   kept_.clear();
   taken_.clear();
   made_.clear();
   chases_.clear();
-  for (KeptContact* kept : pairs.kept) {
+  for (KeptContact* kept : collision.found()) {
     kept->touching = false;
-    if (kept->contact.count > 0 && (moves(*kept->a) || moves(*kept->b))) take(*kept, movers, seconds);
+    if (moves(*kept->a) || moves(*kept->b)) take(*kept, movers, seconds);
   }
-  for (int i = 0; i < pairs.getNumManifolds(); ++i) {
-    btPersistentManifold& manifold = *pairs.getManifoldByIndexInternal(i);
-    const btCollisionObject *a = manifold.getBody0(), *b = manifold.getBody1();
-    if (manifold.getNumContacts() == 0 || is_ghost(a) || is_ghost(b) || (!moves(*state_of(a)) && !moves(*state_of(b)))) continue;
-    make(manifold, movers, seconds);
-  }
+  collision.each_manifold(Overlap::solids, [&](btPersistentManifold& manifold) {
+    if (moves(*state_of(manifold.getBody0())) || moves(*state_of(manifold.getBody1()))) make(manifold, movers, seconds);
+  });
   drop_seams();
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "physics/bullet/chase.h"
-#include "physics/bullet/step_world.h"
+#include "physics/bullet/collision.h"
 #include "physics/dynamics/mover.h"
 
 namespace tumble {
@@ -14,7 +14,7 @@ namespace tumble {
 class StepContacts {
  public:
   // Of all that can move now. Bodies without a mover of their own share the first.
-  void gather(PairDispatcher& pairs, std::deque<dynamics::Mover>& movers, double seconds);
+  void gather(Collision& collision, std::deque<dynamics::Mover>& movers, double seconds);
   std::vector<dynamics::Contact*>& list() { return list_; }
   template <class F>
   void each_chase(const F& each) {

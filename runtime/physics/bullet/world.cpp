@@ -12,36 +12,20 @@ namespace {
 
 bool older(const BodyState* a, const BodyState* b) { return a->serial < b->serial; }
 
-struct WakeAll final : btBroadphaseAabbCallback {
-  explicit WakeAll(World::Impl& owner) : world(owner) {}
-  bool process(const btBroadphaseProxy* proxy) override {
-    BodyState& body = *state_of(static_cast<btCollisionObject*>(proxy->m_clientObject));
-    if (body.dynamic()) world.wake(body);
-    return true;
-  }
-  World::Impl& world;
-};
-
 }  // namespace
 
 // ---- the world
 
 World::Impl::Impl(const WorldSettings& given) : settings(given) {
   install_material_callbacks();
-  filter.pairs = broadphase.getOverlappingPairCache();
-  broadphase.getOverlappingPairCache()->setOverlapFilterCallback(&filter);
-  bullet.setGravity({0, 0, 0});
   apply_settings();
 }
 
+// Pairs end while the book that knows them is there.
 World::Impl::~Impl() {
-  joints.each([&](JointId, Joint& joint) {
-    if (joint.part->live) bullet.removeConstraint(joint.part->constraint.get());
-  });
   bodies.each([&](BodyId, Body& body) {
-    if (!body.state->enabled) return;
-    if (body.state->ghost) bullet.removeCollisionObject(body.state->ghost.get());
-    bullet.removeRigidBody(body.state->rigid.get());
+    overlaps.leave(body.state->solid_box);
+    overlaps.leave(body.state->trigger_box);
   });
 }
 
@@ -59,9 +43,10 @@ void World::configure(const WorldSettings& settings) {
   if (new_groups) impl_->change_groups(settings.groups);
   impl_->settings = settings;
   impl_->apply_settings();
-  for (KeptContact* kept : impl_->dispatcher.kept) kept->spoil();  // a look found their friction
-  if (new_gravity || !settings.sleeping)
-    for (BodyState* body : impl_->dynamics) impl_->wake(*body);
+  impl_->overlaps.each([](Overlap& overlap) {  // a look found their friction
+    if (overlap.pair) overlap.pair->spoil();
+  });
+  if (new_gravity || !settings.sleeping) impl_->bodies.each([&](BodyId, Body& body) { impl_->wake(*body.state); });
 }
 
 // All or nothing: a body may be in a group that is no more.
@@ -137,38 +122,25 @@ bool World::has(BodyId body) const { return impl_->bodies.get(body) != nullptr; 
 std::uint64_t World::user(BodyId body) const { return impl_->body(body).user; }
 
 void World::Impl::enter(BodyState& body) {
-  body.boxed = {};
-  bullet.addRigidBody(body.rigid.get(), 1, -1);  // who meets whom is PairFilter's business
-  if (body.ghost) {
-    bullet.addCollisionObject(body.ghost.get(), 1, -1);
-    bullet.ghosts.push_back(body.ghost.get());
-  }
+  body.solid_box = {&body, body.rigid.get(), false, false, nullptr, {}};
+  body.trigger_box = {&body, body.ghost.get(), true, false, nullptr, {}};
   body.enabled = true;
-  body.still_seconds = 0;
-  body.still_at = body.center;
   body.was_asleep = false;
-  if (body.dynamic()) {
-    dynamics.insert(std::upper_bound(dynamics.begin(), dynamics.end(), &body, older), &body);
-    wake(body);
-  } else {
-    body.rigid->forceActivationState(ISLAND_SLEEPING);
-  }
+  wake(body);
   stir(body);
+  body.boxed = {};
+  collision.fit(body);
   wake_around(body);
 }
 
 void World::Impl::leave(BodyState& body) {
   wake_touching(body);
   book.end_pairs(body, events);
-  if (body.ghost) {
-    bullet.removeCollisionObject(body.ghost.get());
-    std::erase(bullet.ghosts, body.ghost.get());
-  }
-  bullet.removeRigidBody(body.rigid.get());
-  body.enabled = false;
-  body.moving = false;
+  overlaps.leave(body.solid_box);
+  overlaps.leave(body.trigger_box);
+  awake.leave(body);
+  body.enabled = body.moving = body.stirred = false;
   body.force = body.torque = {};
-  std::erase(dynamics, &body);
   std::erase(carriers, &body);
   std::erase(moved, body.id);
 }
@@ -203,7 +175,6 @@ void World::Impl::rebuild(BodyState& body, const Pose& pose) {
   std::vector<JointPart*> held = body.joints;
   for (JointPart* joint : held)
     if (joint->live) {
-      bullet.removeConstraint(joint->constraint.get());
       joint->live = false;
       solver.joints_changed();
       std::erase(live, joint);
@@ -212,10 +183,7 @@ void World::Impl::rebuild(BodyState& body, const Pose& pose) {
   if (enabled) leave(body);
   build(body, pose);
   if (enabled) enter(body);
-  for (JointPart* joint : held) {
-    joint->constraint.reset();
-    update_live(*joint);
-  }
+  for (JointPart* joint : held) update_live(*joint);
 }
 
 void World::configure(BodyId id, const BodyDef& def) {
@@ -250,24 +218,17 @@ void World::configure(BodyId id, const BodyDef& def) {
   world.rebuild(body, pose);
 }
 
-// Bullet keeps the friction of known contact points, and asks who meets whom only where boxes meet anew.
+// What is known of contacts has their friction, and who meets whom is asked only where boxes meet anew.
 void World::Impl::refresh_pairs(BodyState& body) {
   if (!body.enabled) return;
   body.boxed = {};
-  bullet.refreshBroadphaseProxy(body.rigid.get());
-  if (body.ghost) bullet.refreshBroadphaseProxy(body.ghost.get());
+  collision.fit(body);
+  overlaps.renew(body.solid_box);
+  overlaps.renew(body.trigger_box);
   stir(body);
 }
 
 // ---- waking
-
-void World::Impl::wake(BodyState& body) {
-  if (!body.dynamic() || !body.enabled) return;
-  body.rigid->forceActivationState(ACTIVE_TAG);
-  body.rigid->setDeactivationTime(0);
-  body.still_seconds = 0;
-  body.still_at = body.center;
-}
 
 void World::Impl::wake_touching(BodyState& body) {
   for (Pair* pair : body.pairs)
@@ -289,19 +250,16 @@ void World::Impl::wake_heap(BodyState& body) {
 }
 
 void World::Impl::wake_around(BodyState& body) {
-  if (body.solids->empty()) return;
-  btVector3 low, high;
-  body.rigid->getAabb(low, high);
-  WakeAll callback(*this);
-  broadphase.aabbTest(low, high, callback);
+  if (!body.solid_box.leaf) return;
+  overlaps.boxes().each_in(body.solid_box.box(), false, [this](const Occupant& other) { wake(*other.body); });
 }
 
 void World::Impl::stir(BodyState& body) {
   if (body.dynamic()) return;
-  if (body.def.type == BodyType::kinematic) body.rigid->forceActivationState(ACTIVE_TAG);
-  if (body.ghost) body.ghost->forceActivationState(ACTIVE_TAG);
-  if (std::find(carriers.begin(), carriers.end(), &body) == carriers.end())
-    carriers.insert(std::upper_bound(carriers.begin(), carriers.end(), &body, older), &body);
+  body.active = body.def.type == BodyType::kinematic;
+  if (!body.stirred) carriers.insert(std::upper_bound(carriers.begin(), carriers.end(), &body, older), &body);
+  body.stirred = true;
+  overlaps.stir(body);
 }
 
 // ---- what there is
@@ -338,7 +296,7 @@ WorldStats World::stats() const {
   stats.joints = static_cast<int>(impl_->live.size());
   stats.contacts = impl_->book.touching();
   stats.step_ms = impl_->step_ms;
-  for (const BodyState* body : impl_->dynamics) stats.awake += body->awake();
+  stats.awake = static_cast<int>(impl_->awake.bodies().size());
   return stats;
 }
 

@@ -79,7 +79,7 @@ void World::configure(JointId id, const JointDef& def) {
     joint.link.positions.clear();
   }
   world.update_live(joint);
-  if (joint.constraint) note_drives(joint);
+  note_drives(joint);
   for (BodyState* body : {joint.a, joint.b}) {
     if (!body) continue;
     if (filter) world.refresh_pairs(*body);
@@ -95,13 +95,11 @@ void World::Impl::update_live(JointPart& joint) {
   joint.live = wanted;
   solver.joints_changed();
   if (wanted) {
-    if (!joint.constraint) build(joint, ground);
-    bullet.addConstraint(joint.constraint.get());
+    note_drives(joint);
     live.insert(std::upper_bound(live.begin(), live.end(), &joint,
                                  [](const JointPart* x, const JointPart* y) { return x->serial < y->serial; }),
                 &joint);
   } else {
-    bullet.removeConstraint(joint.constraint.get());
     std::erase(live, &joint);
     joint.force = joint.torque = {};
   }

@@ -16,9 +16,6 @@ void World::teleport(BodyId id, const Pose& pose) {
   body.place(body.to_center({pose.position, normalized(pose.rotation)}));
   body.last_good = body.rigid->getWorldTransform();
   if (!body.enabled) return;
-  body.boxed = {};
-  world.bullet.updateSingleAabb(body.rigid.get());
-  if (body.ghost) world.bullet.updateSingleAabb(body.ghost.get());
   world.refresh_pairs(body);  // old contact points are of the old place
   world.wake(body);
   world.wake_around(body);
@@ -100,15 +97,12 @@ void World::apply_angular_impulse(BodyId id, Vec3 impulse) {
 
 bool World::asleep(BodyId id) const {
   const BodyState& body = impl_->body(id);
-  return body.dynamic() && body.rigid->getActivationState() == ISLAND_SLEEPING;
+  return body.dynamic() && body.enabled && !body.active;
 }
 
 void World::sleep(BodyId id) {
   BodyState& body = impl_->body(id);
-  if (!body.dynamic() || !body.enabled) return;
-  body.rigid->setLinearVelocity({0, 0, 0});
-  body.rigid->setAngularVelocity({0, 0, 0});
-  body.rigid->forceActivationState(ISLAND_SLEEPING);
+  impl_->awake.sleep(body);
 }
 
 void World::wake(BodyId body) { impl_->wake(impl_->body(body)); }

@@ -24,43 +24,23 @@ const std::vector<Piece>& pieces_of(const btCollisionObject* object) {
   return (is_ghost(object) ? *body.triggers : *body.solids).pieces();
 }
 
-struct Gather final : btBroadphaseRayCallback {
-  explicit Gather(const QueryFilter& given) : filter(given) {}
-  bool process(const btBroadphaseProxy* proxy) override {
-    const auto* object = static_cast<const btCollisionObject*>(proxy->m_clientObject);
-    if (answers(object, filter)) found.push_back(object);
-    return true;
-  }
-  const QueryFilter& filter;
-  std::vector<const btCollisionObject*> found;
-};
-
 // Everything whose box the swept box meets. An infinite way ends where the world does.
-std::vector<const btCollisionObject*> along(btDbvtBroadphase& broadphase, Vec3 origin, Vec3 direction, double& length,
-                                            Vec3 low, Vec3 high, const QueryFilter& filter) {
-  btVector3 world_low, world_high;
-  broadphase.getBroadphaseAabb(world_low, world_high);
-  const double all = distance(origin, from_bullet(world_low + world_high) / 2) + (world_high - world_low).length() / 2 +
-                     distance(low, high) + 1;
-  length = std::min(length, all);
-
-  Gather gather(filter);
-  const btVector3 from = to_bullet(origin), to = to_bullet(origin + direction * length);
-  for (int i = 0; i < 3; ++i) {
-    const double d = to_bullet(direction)[i];
-    gather.m_rayDirectionInverse[i] = d == 0 ? BT_LARGE_FLOAT : 1 / d;
-    gather.m_signs[i] = gather.m_rayDirectionInverse[i] < 0;
-  }
-  gather.m_lambda_max = length;
-  broadphase.rayTest(from, to, gather, to_bullet(low), to_bullet(high));
-  return gather.found;
+std::vector<const btCollisionObject*> along(const Boxes& boxes, Vec3 origin, Vec3 direction, double& length, Vec3 low, Vec3 high,
+                                            const QueryFilter& filter) {
+  length = std::min(length, tumble::length(origin) + boxes.reach() + distance(low, high) + 1);
+  std::vector<const btCollisionObject*> found;
+  boxes.each_along(origin, direction, length, low, high, [&](const Occupant& occupant) {
+    if (answers(occupant.object, filter)) found.push_back(occupant.object);
+  });
+  return found;
 }
 
-std::vector<const btCollisionObject*> within_box(btDbvtBroadphase& broadphase, const btVector3& low, const btVector3& high,
-                                                 const QueryFilter& filter) {
-  Gather gather(filter);
-  broadphase.aabbTest(low, high, gather);
-  return gather.found;
+std::vector<const btCollisionObject*> within_box(const Boxes& boxes, const btVector3& low, const btVector3& high, const QueryFilter& filter) {
+  std::vector<const btCollisionObject*> found;
+  boxes.each_in(btDbvtVolume::FromMM(low, high), true, [&](const Occupant& occupant) {
+    if (answers(occupant.object, filter)) found.push_back(occupant.object);
+  });
+  return found;
 }
 
 struct NearestTriangle final : btTriangleCallback {
@@ -177,7 +157,7 @@ void each_convex(const Piece& piece, const btTransform& at, const btVector3& low
 std::vector<QueryHit> World::raycast_all(Vec3 origin, Vec3 direction, double length, const QueryFilter& filter) const {
   const Ray ray{origin, checked_direction("physics.raycast_all", direction)};
   std::vector<Found> found;
-  for (const btCollisionObject* object : along(impl_->broadphase, origin, ray.direction, length, {}, {}, filter))
+  for (const btCollisionObject* object : along(impl_->overlaps.boxes(), origin, ray.direction, length, {}, {}, filter))
     if (const auto hit = ray_object(object, ray, length)) found.push_back({state_of(object)->serial, *hit});
   return sorted(found);
 }
@@ -186,7 +166,7 @@ std::optional<QueryHit> World::raycast(Vec3 origin, Vec3 direction, double lengt
   const Ray ray{origin, checked_direction("physics.raycast", direction)};
   std::optional<QueryHit> best;
   std::uint32_t serial = 0;
-  for (const btCollisionObject* object : along(impl_->broadphase, origin, ray.direction, length, {}, {}, filter)) {
+  for (const btCollisionObject* object : along(impl_->overlaps.boxes(), origin, ray.direction, length, {}, {}, filter)) {
     const auto hit = ray_object(object, ray, length);
     if (!hit) continue;
     const std::uint32_t age = state_of(object)->serial;
@@ -199,7 +179,7 @@ std::optional<QueryHit> World::raycast(Vec3 origin, Vec3 direction, double lengt
 
 bool World::raycast_any(Vec3 origin, Vec3 direction, double length, const QueryFilter& filter) const {
   const Ray ray{origin, checked_direction("physics.raycast_any", direction)};
-  const auto objects = along(impl_->broadphase, origin, ray.direction, length, {}, {}, filter);
+  const auto objects = along(impl_->overlaps.boxes(), origin, ray.direction, length, {}, {}, filter);
   return std::any_of(objects.begin(), objects.end(), [&](const auto* object) { return ray_object(object, ray, length).has_value(); });
 }
 
@@ -209,7 +189,7 @@ std::optional<QueryHit> World::cast(const Shape& shape, const Pose& from, Vec3 d
   const btTransform start = probe.at(from);
   btVector3 low, high;
   probe.shape().getAabb(start, low, high);
-  const auto objects = along(impl_->broadphase, from_bullet(start.getOrigin()), way, length, from_bullet(low - start.getOrigin()),
+  const auto objects = along(impl_->overlaps.boxes(), from_bullet(start.getOrigin()), way, length, from_bullet(low - start.getOrigin()),
                              from_bullet(high - start.getOrigin()), filter);
   const btVector3 shift = to_bullet(way * length);
   btVector3 all_low = low, all_high = high;
@@ -239,7 +219,7 @@ std::vector<QueryHit> World::penetrations(const Shape& shape, const Pose& at, do
   high += btVector3(within, within, within);
 
   std::vector<Found> found;
-  for (const btCollisionObject* object : within_box(impl_->broadphase, low, high, filter)) {
+  for (const btCollisionObject* object : within_box(impl_->overlaps.boxes(), low, high, filter)) {
     for (const Piece& piece : pieces_of(object)) {
       each_convex(piece, object->getWorldTransform() * piece.local, low, high,
                   [&](const btConvexShape& other, const btTransform& other_at) {

@@ -1,4 +1,4 @@
-// One step: our own loop of substeps around Bullet's collision detection and solver.
+// One step: what may touch, how it moves, what there is to tell.
 #include <ctime>
 
 #include "physics/bullet/impl.h"
@@ -65,8 +65,8 @@ void World::Impl::step(double seconds) {
   const int passes = std::clamp(static_cast<int>(std::ceil(seconds / kLongestPass)), 1, kMostPasses);
   const double part = seconds / passes;
   for (int pass = 0; pass < passes; ++pass) {
-    bullet.collide(part, settings.gravity);
-    solver.begin(settings, dynamics, carriers, live, dispatcher, part);
+    collision.look(part, settings.gravity, carriers);
+    solver.begin(settings, awake.bodies(), carriers, live, collision, part);
     solver.run(part, std::max(1, settings.substeps), std::max(1, settings.iterations));
     solver.end(part);
   }
@@ -76,11 +76,16 @@ void World::Impl::step(double seconds) {
 
 void World::Impl::begin_step(double seconds) {
   book.begin_step();
+  for (JointPart* joint : live)  // one of two that are joined may have been put to sleep alone
+    if (joint->awake())
+      for (BodyState* body : {joint->a, joint->b})
+        if (body && !body->active) wake(*body);
+  awake.sort();
   lose_insane();
-  for (BodyState* body : dynamics) {
+  for (BodyState* body : awake.bodies()) {
     body->start_velocity = from_bullet(body->rigid->getLinearVelocity());
     body->start_turning = from_bullet(body->rigid->getAngularVelocity());
-    if (body->rigid->isActive()) body->last_good = body->rigid->getWorldTransform();
+    body->last_good = body->rigid->getWorldTransform();
   }
   for (BodyState* body : carriers) {
     Path& path = body->path;
@@ -106,8 +111,8 @@ void World::Impl::begin_step(double seconds) {
 // Non-finite or beyond all bounds: such a body does not come near others.
 void World::Impl::lose_insane() {
   std::vector<BodyState*> bad;
-  for (BodyState* body : dynamics)
-    if (body->rigid->isActive() && !sane(*body)) bad.push_back(body);
+  for (BodyState* body : awake.bodies())
+    if (!sane(*body)) bad.push_back(body);
   for (BodyState* body : bad) quarantine(*body);
 }
 
@@ -115,46 +120,41 @@ void World::Impl::end_step(double seconds) {
   lose_insane();
   for (BodyState* body : carriers)
     if (body->moving) body->place(body->path.to);
-  for (BodyState* body : dynamics)
-    if (body->ghost && body->rigid->isActive()) body->ghost->forceActivationState(ACTIVE_TAG);
-  bullet.collide_triggers();
-  book.observe(dispatcher);
-  book.end_step(events);
+  collision.look_into_triggers(carriers);
+  book.observe(collision);
+  book.end_step(awake.bodies(), carriers, events);
   break_joints(seconds);
-  moved.clear();
-  for (BodyState* body : dynamics) rest(*body, seconds);
-  std::erase_if(carriers, [](BodyState* body) {
-    // One more step after the last move, so that its new place is seen by those who sleep there.
-    const bool keep = body->moving;
-    body->moving = false;
-    if (keep) return false;
-    body->rigid->forceActivationState(ISLAND_SLEEPING);
-    if (body->ghost) body->ghost->forceActivationState(ISLAND_SLEEPING);
-    return true;
-  });
-  bullet.updateAabbs();  // so that queries find everything where it is now
+  awake.sort();  // a joint that broke woke its bodies
+  settle(seconds);
+  settle_carriers();
+  collision.fit_boxes(carriers);  // so that queries find everything where it is now
 }
 
-void World::Impl::rest(BodyState& body, double seconds) {
-  btRigidBody& rigid = *body.rigid;
-  body.force = body.torque = {};
-  const bool asleep = !rigid.isActive();
-  if (asleep != body.was_asleep) {
-    body.was_asleep = asleep;
-    if (!asleep) {  // woken by another: it is given time
-      body.still_seconds = 0;
-      body.still_at = body.center;
-    }
-    events.sleeps.push_back({body.id, asleep});
-    if (body.ghost && asleep) body.ghost->forceActivationState(ISLAND_SLEEPING);
-  }
-  if (asleep) return;
-  moved.push_back(body.id);
+void World::Impl::settle(double seconds) {
+  moved.clear();
+  for (const BodyState* body : awake.bodies()) moved.push_back(body->id);
+  awake.settle(solver.islands(), [&](BodyState& body) {
+    body.force = body.torque = {};
+    return is_still(body, seconds);
+  });
+  for (const BodyState* body : awake.take_changes()) events.sleeps.push_back({body->id, !body->active});
+}
 
+void World::Impl::settle_carriers() {
+  std::erase_if(carriers, [this](BodyState* body) {
+    // One more step after the last move, so that its new place is seen by those who sleep there.
+    if (std::exchange(body->moving, false)) return false;
+    body->active = body->stirred = false;
+    overlaps.settle(*body);
+    return true;
+  });
+}
+
+bool World::Impl::is_still(BodyState& body, double seconds) const {
   bool still = settings.sleeping && body.def.can_sleep && keeps_still(body);
   for (const JointPart* joint : body.joints) still = still && !(joint->live && joint->has_motor);
   body.still_seconds = still ? body.still_seconds + seconds : 0;
-  rigid.setActivationState(body.still_seconds >= kStillSeconds ? WANTS_DEACTIVATION : ACTIVE_TAG);
+  return body.still_seconds >= kStillSeconds;
 }
 
 bool World::Impl::keeps_still(BodyState& body) const {

@@ -1,0 +1,215 @@
+#include "physics/bullet/collision.h"
+
+#include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
+#include <BulletCollision/CollisionDispatch/btManifoldResult.h>
+
+#include <algorithm>
+
+#include "physics/bullet/contacts.h"
+
+namespace tumble {
+
+namespace {
+
+// Contacts are looked for this far ahead beside what the bodies' speeds ask for, m, but no farther than this part of the
+// smaller body.
+constexpr double kMargin = 0.01, kMarginPart = 0.2, kTriggerMargin = 1e-9;
+constexpr int kMostLooks = 200;  // into a trigger, of a fast body
+// Boxes are larger than need be by this, m, or this part of the body; and made anew where they are by so many times that.
+constexpr double kSpare = 0.02, kSparePart = 0.2, kMostSpare = 4;
+
+double reach_of(const BodyState& body) {
+  return body.dynamic() ? body.extent : std::numeric_limits<double>::infinity();
+}
+
+// How fast a body's surface may come nearer, beside the motion of its centre.
+double whirl(const BodyState& body) { return body.rigid->getAngularVelocity().length() * body.extent; }
+
+struct Placed {
+  btCollisionObject& object;
+  btTransform at;
+};
+
+void process(Overlap& overlap, PairDispatcher& dispatcher, const btDispatcherInfo& info, const Placed& a, const Placed& b) {
+  const btCollisionObjectWrapper wrap_a(nullptr, a.object.getCollisionShape(), &a.object, a.at, -1, -1);
+  const btCollisionObjectWrapper wrap_b(nullptr, b.object.getCollisionShape(), &b.object, b.at, -1, -1);
+  if (!overlap.algorithm) overlap.algorithm = dispatcher.findAlgorithm(&wrap_a, &wrap_b, nullptr, BT_CONTACT_POINT_ALGORITHMS);
+  if (!overlap.algorithm) return;
+  btManifoldResult result(&wrap_a, &wrap_b);
+  result.m_closestPointDistanceThreshold = dispatcher.margin;
+  overlap.algorithm->processCollision(&wrap_a, &wrap_b, info, &result);
+}
+
+// Where a body was at a part of the step that is over.
+Placed at_part(const Occupant& occupant, double part) {
+  const BodyState& body = *occupant.body;
+  btTransform at = occupant.object->getWorldTransform();
+  if (body.dynamic()) at.setOrigin(body.last_good.getOrigin().lerp(at.getOrigin(), part));
+  return {*occupant.object, at};
+}
+
+Placed now(const Occupant& occupant) { return {*occupant.object, occupant.object->getWorldTransform()}; }
+
+btDbvtVolume box_of(const Occupant& occupant) {
+  btVector3 low, high;
+  occupant.object->getCollisionShape()->getAabb(occupant.object->getWorldTransform(), low, high);
+  return btDbvtVolume::FromMM(low, high);
+}
+
+double sum(const btVector3& v) { return v.x() + v.y() + v.z(); }
+
+}  // namespace
+
+btPersistentManifold* PairDispatcher::getNewManifold(const btCollisionObject* a, const btCollisionObject* b) {
+  btPersistentManifold* manifold = btCollisionDispatcher::getNewManifold(a, b);
+  manifold->setContactBreakingThreshold(margin + kMargin);
+  return manifold;
+}
+
+// ---- boxes
+
+void Collision::fit(Occupant& occupant, const btVector3& way, double around) {
+  btDbvtVolume need = box_of(occupant);
+  need.tMins().setMin(need.Mins() + way);
+  need.tMaxs().setMax(need.Maxs() + way);
+  need.Expand({around, around, around});
+  const double spare = std::min(kSpare, kSparePart * occupant.body->extent);
+  if (occupant.leaf && occupant.box().Contain(need) && sum(occupant.box().Lengths() - need.Lengths()) < 6 * spare * kMostSpare) return;
+  need.Expand({spare, spare, spare});
+  overlaps_.set_box(occupant, need);
+}
+
+// A step ends with boxes for queries, and the next begins with the same ones unless somebody did something in between.
+void Collision::fit(BodyState& body) {
+  const Boxed now{body.travel, body.placed, from_bullet(body.rigid->getLinearVelocity()), from_bullet(body.rigid->getAngularVelocity()),
+                  seconds_, fall_};
+  if (now == body.boxed) return;
+  body.boxed = now;
+  const double spinning = whirl(body) * seconds_, around = std::min(kMargin, kMarginPart * body.extent) + fall_ + spinning;
+  const btVector3 way = body.rigid->getLinearVelocity() * seconds_;
+  body.ahead = way.length() + spinning;
+  if (!body.solids->empty()) fit(body.solid_box, way, around);
+  if (body.ghost) fit(body.trigger_box, way, around);
+}
+
+void Collision::fit_boxes(const std::vector<BodyState*>& carriers) {
+  for (BodyState* body : awake_.bodies()) fit(*body);
+  for (BodyState* body : carriers) fit(*body);
+}
+
+// ---- pairs of solids
+
+double Collision::margin_of(const BodyState& a, const BodyState& b) const {
+  const double speed = (a.rigid->getLinearVelocity() - b.rigid->getLinearVelocity()).length() + whirl(a) + whirl(b);
+  const double smaller = std::min(reach_of(a), reach_of(b));
+  double way = speed * seconds_;
+  // A body that is not to be looked after goes through what is thinner than its way.
+  for (const BodyState* body : {&a, &b})
+    if (body->dynamic() && !body->def.continuous.value_or(true)) way = std::min(way, inner_radius(body->def));
+  return std::min(kMargin, kMarginPart * smaller) + way + fall_;
+}
+
+// May they touch there before the step is over? Points are also found beside the way of what flies past.
+bool Collision::comes_to(const BodyState& a, const BodyState& b, Vec3 normal, double separation) const {
+  const double closing = dot(from_bullet(b.rigid->getLinearVelocity() - a.rigid->getLinearVelocity()), normal) + whirl(a) + whirl(b);
+  return separation <= kMargin + std::max(closing, 0.0) * seconds_ + fall_;
+}
+
+bool Collision::any_near(Overlap& overlap) {
+  const BodyState &a = *overlap.a->body, &b = *overlap.b->body;
+  if (overlap.kind == Overlap::bodies) return comes_to(a, b, overlap.pair->contact().normal, overlap.pair->contact().nearest());
+  manifolds_.resizeNoInitialize(0);
+  if (overlap.algorithm) overlap.algorithm->getAllContactManifolds(manifolds_);
+  for (int i = 0; i < manifolds_.size(); ++i)
+    for (int p = 0; p < manifolds_[i]->getNumContacts(); ++p) {
+      const btManifoldPoint& point = manifolds_[i]->getContactPoint(p);
+      const Vec3 normal = from_bullet(point.m_normalWorldOnB);
+      if (comes_to(a, b, manifolds_[i]->getBody0() == overlap.a->object ? normal : -normal, point.getDistance())) return true;
+    }
+  return false;
+}
+
+// What moves wakes what it meets; what is moved by somebody keeps it awake.
+void Collision::wake_by(Overlap& overlap) {
+  BodyState &a = *overlap.a->body, &b = *overlap.b->body;
+  const auto wakes = [](const BodyState& one, const BodyState& other) {
+    return one.active && other.dynamic() && (!other.active || !one.dynamic());
+  };
+  if (wakes(a, b) && any_near(overlap)) awake_.wake(b);
+  if (wakes(b, a) && any_near(overlap)) awake_.wake(a);
+}
+
+void Collision::look_at(Overlap& overlap) {
+  BodyState &a = *overlap.a->body, &b = *overlap.b->body;
+  if (overlap.kind == Overlap::bodies) {
+    if (overlap.pair->look(fall_, [&] { return margin_of(a, b); })) wake_by(overlap);
+    return;
+  }
+  dispatcher_.margin = margin_of(a, b);
+  process(overlap, dispatcher_, info_, now(*overlap.a), now(*overlap.b));
+  wake_by(overlap);
+}
+
+void Collision::look(double seconds, Vec3 gravity, const std::vector<BodyState*>& carriers) {
+  seconds_ = seconds;
+  fall_ = length(gravity) * seconds * seconds;
+  fit_boxes(carriers);
+  overlaps_.tidy();
+  overlaps_.found.clear();
+  // Whoever wakes meanwhile adds his pairs to the ends of the lists.
+  std::vector<Overlap*>&bodies = overlaps_.active(Overlap::bodies), &solids = overlaps_.active(Overlap::solids);
+  for (std::size_t i = 0, k = 0; i < bodies.size() || k < solids.size();) look_at(i < bodies.size() ? *bodies[i++] : *solids[k++]);
+  awake_.sort();
+}
+
+// ---- triggers
+
+bool Collision::any_inside(Overlap& overlap) {
+  manifolds_.resizeNoInitialize(0);
+  if (overlap.algorithm) overlap.algorithm->getAllContactManifolds(manifolds_);
+  for (int i = 0; i < manifolds_.size(); ++i)
+    for (int p = 0; p < manifolds_[i]->getNumContacts(); ++p)
+      if (manifolds_[i]->getContactPoint(p).getDistance() <= 0) return true;
+  return false;
+}
+
+// Is it in there at the end of the step, or, if it was not before, was it at any time of it? What is faster than it is
+// thick is looked at on its way as well.
+void Collision::look_into(Overlap& overlap) {
+  const Occupant &a = *overlap.a, &b = *overlap.b;
+  const BodyState &body_a = *a.body, &body_b = *b.body;
+  dispatcher_.margin = kTriggerMargin;  // 0 would be taken for none
+  const btVector3 way_a = at_part(a, 0).at.getOrigin() - now(a).at.getOrigin(), way_b = at_part(b, 0).at.getOrigin() - now(b).at.getOrigin();
+  const double way = (way_a - way_b).length();
+  const double thick = inner_radius(body_a.def) + inner_radius(body_b.def);
+  const int looks = thick > 0 ? std::clamp(static_cast<int>(std::ceil(std::min(way / thick, 1e6))), 1, kMostLooks) : 1;
+  process(overlap, dispatcher_, info_, now(a), now(b));
+  const bool was_in = std::any_of(body_a.pairs.begin(), body_a.pairs.end(), [&](const Pair* known) {
+    return known->trigger && (known->a == &body_b || known->b == &body_b);
+  });
+  for (int i = looks - 1; i >= 1 && !was_in && !any_inside(overlap); --i) {
+    const double part = static_cast<double>(i) / looks;
+    process(overlap, dispatcher_, info_, at_part(a, part), at_part(b, part));
+  }
+}
+
+void Collision::look_into_triggers(const std::vector<BodyState*>& carriers) {
+  if (!overlaps_.has_triggers()) return;
+  const auto look = [this] {
+    for (Overlap* overlap : overlaps_.active(Overlap::triggers)) look_into(*overlap);
+  };
+  look();  // along the ways for which the boxes were made; those stay until what they found has been read
+  bool strayed = false;
+  const auto follow = [&](BodyState& body) {
+    for (const Occupant* occupant : {&body.solid_box, &body.trigger_box}) {
+      if (!occupant->leaf || Intersect(box_of(*occupant), occupant->box())) continue;
+      fit(body);
+      strayed = true;
+    }
+  };
+  for (BodyState* body : awake_.bodies()) follow(*body);
+  for (BodyState* body : carriers) follow(*body);
+  if (strayed) look();
+}
+
+}  // namespace tumble
