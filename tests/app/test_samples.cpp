@@ -5,6 +5,8 @@
 #include <fstream>
 
 #include "assets/temporary_folder.h"
+#include "base/shape.h"
+#include "physics/joint.h"
 #include "support/source_tree.h"
 #include "tumble/tumble.h"
 
@@ -34,6 +36,12 @@ std::vector<fs::path> files_below(const fs::path& folder, const std::string& end
   return files;
 }
 
+// Is there a sample of that name, and does it say so?
+bool sample_has(const std::string& name, const std::string& text) {
+  const fs::path file = source_tree("games/samples/" + name + ".lua");
+  return fs::exists(file) && read_source(file).find(text) != std::string::npos;
+}
+
 }  // namespace
 
 TEST_CASE("samples: each runs for five seconds without a fault, is short, and begins with what it is about", "[samples]") {
@@ -53,6 +61,17 @@ TEST_CASE("samples: each runs for five seconds without a fault, is short, and be
     CHECK(lines <= 60);
   }
   CHECK(samples >= 25);
+}
+
+TEST_CASE("samples: every collider shape and every joint has one that bears its name", "[samples]") {
+  for (const std::string& shape : enum_names(ShapeKind{})) {
+    INFO("games/samples/colliders/" << shape << ".lua");
+    CHECK(sample_has("colliders/" + shape, "shape = \"" + shape + "\""));
+  }
+  for (const std::string& kind : joint_kind_names()) {
+    INFO("games/samples/joints/" << kind << ".lua");
+    CHECK(sample_has("joints/" + kind, "joint." + kind + " {"));
+  }
 }
 
 TEST_CASE("samples: every prefab of every game stands alone", "[samples]") {
