@@ -129,3 +129,63 @@ TEST_CASE("joints: friction stops a slide by F / m", "[physics]") {
 
   CHECK(scene.at(id).x == Approx(9 / (2 * 2.0)).epsilon(0.01));
 }
+
+namespace {
+
+// A sled of 4 kg on a slider along x with a spring of 2 Hz, and what else acts along it.
+struct SprungSled {
+  static constexpr double kMass = 4, kRate = kMass * (4 * kPi) * (4 * kPi);  // kg, N/m
+  explicit SprungSled(SlideDef position, double damping = 0.5, double rest = 0) {
+    position.spring.emplace();
+    position.spring->frequency = 2;
+    position.spring->damping = damping;
+    position.spring->rest = rest;
+    BodyDef def = body(box({1, 1, 1}));
+    def.mass = kMass;
+    def.can_sleep = false;
+    joint = scene.world.add(slider(scene.add(def, {}), {1, 0, 0}, position), 0);
+  }
+  JointState after(double seconds) {
+    scene.run(seconds);
+    return scene.world.state(joint);
+  }
+  Scene scene{weightless()};
+  JointId joint;
+};
+
+SlideDef driven(double speed, double strength) {
+  SlideDef position;
+  position.motor.emplace();
+  position.motor->speed = speed;
+  position.motor->strength = strength;
+  return position;
+}
+
+}  // namespace
+
+TEST_CASE("joints: a motor works against a spring of the same freedom, and where it is weak they balance at F / k", "[physics]") {
+  SprungSled strong(driven(-0.25, 5000));
+  const JointState pulled = strong.after(1);
+  CHECK(pulled.speed == Approx(-0.25).epsilon(1e-6));
+  CHECK(pulled.position == Approx(-0.25).epsilon(0.01));
+  CHECK(SprungSled(driven(10, 20), 1).after(4).position == Approx(20 / SprungSled::kRate).epsilon(1e-6));
+}
+
+TEST_CASE("joints: friction holds a spring that pulls less, and lets one go that pulls more", "[physics]") {
+  SlideDef rough;
+  rough.friction = 20;  // N
+  const double held = 20 / SprungSled::kRate;
+  CHECK(std::abs(SprungSled(rough, 0.5, 0.9 * held).after(4).position) < 1e-9);
+  // From rest, the sled swings half a turn about where spring and friction balance, and stays within their band.
+  const double start = 2.5 * held;
+  CHECK(SprungSled(rough, 0, start).after(4).position == Approx(3 * held).epsilon(0.01));
+}
+
+TEST_CASE("joints: a spring that presses on a limit presses with its own force", "[physics]") {
+  SlideDef limited;
+  limited.max = 0.05;
+  SprungSled sled(limited, 1, 0.15);
+  CHECK(sled.after(2).position == Approx(0.05).margin(1e-6));
+  // The joint's force is what its rows give together: along the freedom, spring and limit cancel.
+  CHECK(std::abs(sled.scene.world.state(sled.joint).force.x) < 1e-6);
+}

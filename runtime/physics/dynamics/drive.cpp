@@ -58,6 +58,11 @@ void aim_spring(Drive& drive, double speed, double h) {
   const Swing end = swung({x, drive.before}, w, spring.damping, h);
   drive.target = (end.position - x) / h;
   drive.target_after = end.velocity;
+  // A motor, brake or limit along the same freedom is a steady force more, which shifts the rest too. Of a speed of 1 that
+  // it gives in a half, or in both, this much is left.
+  const double shift = 2 / (h * w * w);
+  drive.yield = (swung({-shift, 0}, w, spring.damping, h).position + shift) / h;
+  drive.yield_after = swung({-shift / 2, 0}, w, spring.damping, h).velocity;
 }
 
 double motor_speed(const Drive& drive, double h) {
@@ -130,7 +135,10 @@ void aim_before(Drive& drive, double speed, double h) {
 
 void aim_after(Drive& drive, double h) {
   switch (drive.kind) {
-    case Drive::spring: drive.target = drive.target_after; break;
+    case Drive::spring:
+      drive.target = drive.target_after;
+      drive.yield = drive.yield_after;
+      break;
     case Drive::brake:
     case Drive::motor:
       drive.upper = drive.strength * h;

@@ -25,6 +25,8 @@ struct Drive {
   double aim = 0;             // of a limit before the drift: the room that is to be left after it, at least
   double target = 0;          // speed to be reached, at most or at least of a limit
   double target_after = 0;    // of a spring: at the end of the substep
+  double yield = 0;           // of a spring: the part of a speed that others give to its freedom that is left at the target
+  double yield_after = 0;     // likewise
   // With the mechanism's held rows: an impulse of 1 along it, with `helpers` along those, changes its speed by `mobility`.
   double mobility = 0;
   double own_mobility = 0;    // of its two bodies alone

@@ -171,6 +171,14 @@ void Mechanism::solve_held() {
   held_ -= impulses;
 }
 
+// What motor, brake and limits give along a spring's freedom; they come after it in the list.
+double Mechanism::beside(const Drive& spring) const {
+  double sum = 0;
+  for (const Drive* next = &spring + 1; next != drives_.data() + drives_.size() && next->link == spring.link && next->free_row == spring.free_row; ++next)
+    if (next->active) sum += next->impulse;
+  return sum;
+}
+
 double Mechanism::drive_once(Drive& drive) {
   if (!drive.active || drive.own_mobility <= 0) return 0;
   // Where what holds leaves no freedom, both pull as hard as the bodies alone would need, and once: a force that a joint
@@ -178,7 +186,8 @@ double Mechanism::drive_once(Drive& drive) {
   const bool freedom = drive.mobility > kLeastMobility * drive.own_mobility;
   if (!freedom && drive.impulse != 0) return 0;
   const double mobility = freedom ? drive.mobility : drive.own_mobility;
-  const double wanted = drive.impulse + (drive.target - speed(*drive.link, drive.row)) / mobility;
+  const double target = drive.kind == Drive::spring ? drive.target + drive.yield * mobility * beside(drive) : drive.target;
+  const double wanted = drive.impulse + (target - speed(*drive.link, drive.row)) / mobility;
   const double total = std::clamp(wanted, drive.lower, drive.upper), change = total - drive.impulse;
   if (change == 0) return 0;
   drive.impulse = total;

@@ -55,6 +55,7 @@ class Mechanism {
   Eigen::VectorXd repair(const Eigen::VectorXd& errors, double most_cost, double& cost);
   void move(const Eigen::VectorXd& shifts, double rate);
   void solve_drives();
+  double beside(const Drive& spring) const;
   double drive_once(Drive& drive);
   void give(const Row& row, double impulse) const;
 
