@@ -19,7 +19,7 @@ constexpr int kMostRounds = 40;
 constexpr int kMostTimes = 32;
 // A contact that bears so many times the weight of the lighter body takes twice the substeps, four times as much again
 // twice that (its softness goes with the square of a substep). And so many substeps times bodies an island may cost for it.
-constexpr double kLoad = 6, kGrain = 1.4e-3;  // of the weight; m, of the radius of gyration
+constexpr double kLoad = 6, kGrain = 1.4e-3;  // of the weight; m, see thinness()
 constexpr int kMostWork = 3000;
 constexpr double kHardlyTurns = 0.02;  // radians; the error goes with the third power
 
@@ -103,6 +103,12 @@ double first_load(const Contact& contact, double seconds) {
   return below > 0 ? above / below / kLoad : 0;
 }
 
+// The radius of gyration of a cube as thin as the body is where it is thinnest, m.
+double thinness(const Mover& mover, double lightness) {
+  const Vec3 i = mover.inertia;
+  return std::sqrt(std::max(0.0, i.x + i.y + i.z - 2 * std::max({i.x, i.y, i.z})) * lightness);
+}
+
 // What presses there, over the weight of the lighter of the bodies and over what may be: the contact gives way by 0.07 mm
 // times this at 4 substeps of 1/60 s, which is nothing to a brick and much to a grain. Impulses still are forces here.
 double load_on(const Contact& contact, double seconds) {
@@ -110,8 +116,7 @@ double load_on(const Contact& contact, double seconds) {
   for (const Mover* mover : {contact.a, contact.b}) {
     const double pull = length(mover->acceleration), lightness = std::max({mover->inverse_mass.x, mover->inverse_mass.y, mover->inverse_mass.z});
     if (!mover->pushable || !(pull > 0)) continue;
-    const Vec3 i = mover->inertia;
-    const double gyration = std::sqrt(std::max({i.x, i.y, i.z}) * lightness), most = std::min(kLoad, gyration / kGrain);
+    const double most = std::min(kLoad, thinness(*mover, lightness) / kGrain);
     if (most > 0) load = std::max(load, contact.pressing() * lightness / pull / most);
   }
   return load;
