@@ -259,6 +259,31 @@ TEST_CASE("motion: who is woken wakes what is joined to him, however many links 
   CHECK_FALSE(scene.world.asleep(chain[3]));
 }
 
+// Without slip its motion is a turn w about the line on which it touches; the axis then goes round at w tan(a), a the angle
+// between axis and side, the tip stays, and nothing is lost.
+TEST_CASE("motion: a cone on its side rolls round its tip and keeps its energy", "[physics]") {
+  const double radius = 0.3, height = 0.9, w = 4, a = std::atan2(radius, height);
+  Scene scene;
+  scene.floor();
+  const Vec3 axis{std::cos(a), std::sin(a), 0};  // from the tip, at the origin, to the middle of its base
+  BodyDef def = body(upright(ShapeKind::cone, radius, height));
+  def.friction = 1;
+  def.can_sleep = false;
+  def.angular_velocity = {w, 0, 0};
+  def.velocity = cross(def.angular_velocity, axis * (height * 0.75));
+  const BodyId cone = scene.add(def, axis * (height / 2), between({0, -1, 0}, axis));
+  const double before = scene.world.kinetic_energy(cone);
+
+  scene.run(5);
+
+  const Pose pose = scene.world.pose(cone);
+  CHECK(scene.world.kinetic_energy(cone) == Approx(before).epsilon(0.01));
+  CHECK(distance(pose * Vec3{0, height / 2, 0}, {}) < 0.01);
+  const Vec3 base = pose * Vec3{0, -height / 2, 0};
+  const double gone = w * std::tan(a) * 5, seen = std::atan2(-base.z, base.x);
+  CHECK(std::abs(std::remainder(seen + gone, 2 * kPi)) < 0.02);
+}
+
 TEST_CASE("motion: a drifter in empty space does not freeze", "[physics]") {
   Scene scene(weightless());
   const BodyId id = scene.add(body(ball(0.5)), {});

@@ -14,7 +14,7 @@ local function cone(name, tip, ground, radius, height, roll, color)
   return scene.add { name = name, position = tip + axis * (height / 2), color = color,
     rotation = ground * quat.axis_angle(vec3.back, math.pi / 2 + half_angle),
     mesh = { shape = "cone", radius = radius, height = height },
-    body = { density = 500, friction = 1, angular_damping = 0.1, can_sleep = false, angular_velocity = turning,
+    body = { density = 500, friction = 1, can_sleep = false, angular_velocity = turning,
       velocity = turning:cross(axis * (height * 0.75)) } }       -- its centre of mass is three quarters from the tip
 end
 cone("slender", vec3(-1.5, 0, 0.1), quat.identity, 0.25, 1.1, 4, "gold")

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "physics/bullet/convex_pair.h"
+#include "physics/pairs/hub.h"
 
 namespace tumble {
 
@@ -25,7 +26,6 @@ bool Chase::find_part(const Where& where, Part& out) {
     out.local = from_bullet(piece.local);
   }
   out.fixed = body.center;
-  out.corner = shape->isPolyhedral();
   return convex_of(*shape, out.shape);
 }
 
@@ -48,12 +48,6 @@ Pose Chase::Part::pose(const dynamics::Mover& mover) const {
   return (moves ? Pose{mover.position, mover.rotation} : fixed) * local;
 }
 
-Vec3 Chase::Part::hub(const Pose& pose, Vec3 center, Vec3 arm) const {
-  if (corner) return arm;
-  const Vec3 middle = pose.position - center, axis = pose.rotation * Vec3{0, 1, 0};
-  return shape.kind == pairs::Convex::sphere ? middle : middle + axis * dot(axis, arm - middle);
-}
-
 void Chase::look(dynamics::Contact& contact, double h) {
   dynamics::Mover &a = *contact.a, &b = *contact.b;
   const Pose pose_a = a_.pose(a), pose_b = b_.pose(b);
@@ -71,10 +65,13 @@ void Chase::look(dynamics::Contact& contact, double h) {
     point.restitution = contact.points[0].restitution;
     point.arm_a = found.points[i].on_a - a.position;
     point.arm_b = found.points[i].on_b - b.position;
-    point.corner_a = a_.corner;
-    point.corner_b = b_.corner;
-    point.hub_a = a_.hub(pose_a, a.position, point.arm_a);
-    point.hub_b = b_.hub(pose_b, b.position, point.arm_b);
+    const pairs::Hub hub_a = pairs::hub_of(a_.shape, pose_a, a.position, point.arm_a), hub_b = pairs::hub_of(b_.shape, pose_b, b.position, point.arm_b);
+    point.corner_a = hub_a.corner;
+    point.corner_b = hub_b.corner;
+    point.hub_a = hub_a.arm;
+    point.hub_b = hub_b.arm;
+    contact.axis_a = hub_a.axis;
+    contact.axis_b = hub_b.axis;
     point.separation = found.points[i].separation;
   }
 }

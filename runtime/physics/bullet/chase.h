@@ -29,9 +29,7 @@ class Chase {
     pairs::Convex shape;
     Pose local;          // in the mover's frame
     Pose fixed;          // the mover's, of what does not move
-    bool corner = false;
     Pose pose(const dynamics::Mover& mover) const;
-    Vec3 hub(const Pose& pose, Vec3 center, Vec3 arm) const;
   };
   static bool find_part(const Where& where, Part& out);
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "physics/bullet/contacts.h"
+#include "physics/bullet/convex_pair.h"
 #include "physics/bullet/materials.h"
+#include "physics/pairs/hub.h"
 
 namespace tumble {
 
@@ -31,21 +33,24 @@ Vec3 kept_grip(const btManifoldPoint& point, const Contact& contact, Vec3 arm) {
   return {point.m_appliedImpulseLateral1, point.m_appliedImpulseLateral2, dot(contact.normal, cross(arm, force))};
 }
 
-// What of a contact's arm turns with the body: corners and edges wholly; of what is round, the axle about which it rolls.
-Vec3 hub_of(const BodyState& body, int part, int index, Vec3 arm, bool& corner) {
+// What of a contact's arm turns with the body, and how.
+pairs::Hub hub_of(const BodyState& body, int part, int index, Vec3 arm) {
   const btCollisionShape* shape = body.rigid->getCollisionShape();
-  Vec3 center, axis = body.center.rotation * Vec3{0, 1, 0};
+  Pose at = body.center;
   if (part < 0 && shape->isCompound() && index >= 0 && index < static_cast<int>(body.solids->pieces().size())) {
     const Piece& piece = body.solids->pieces()[static_cast<std::size_t>(index)];
-    const Pose at = body.center * from_bullet(piece.local);
     shape = piece.shape;
-    center = at.position - body.center.position;
-    axis = at.rotation * Vec3{0, 1, 0};
+    at = at * from_bullet(piece.local);
   }
-  corner = shape->isConcave() || shape->isPolyhedral();
-  if (corner) return arm;
-  if (shape->getShapeType() == SPHERE_SHAPE_PROXYTYPE) return center;
-  return center + axis * dot(axis, arm - center);
+  pairs::Convex convex;
+  if (!shape->isConvex() || !convex_of(*shape, convex)) return {arm, true, {}};
+  return pairs::hub_of(convex, at, body.center.position, arm);
+}
+
+void take_hub(const pairs::Hub& hub, Vec3& arm, bool& corner, Vec3& axis) {
+  arm = hub.arm;
+  corner = hub.corner;
+  axis = hub.axis;
 }
 
 Vec3 middle(const Contact& contact) {
@@ -82,17 +87,6 @@ void write_contact(const Contact& contact, btManifoldPoint* const* points) {
 
 // One that turns about its own centre.
 bool is_ball(const BodyState& body) { return body.convex.kind == pairs::Convex::sphere && body.convex_at.position == Vec3{}; }
-
-Vec3 hub_of(const BodyState& body, Vec3 arm, bool& corner) {
-  const pairs::Convex::Kind kind = body.convex.kind;
-  corner = kind == pairs::Convex::box || kind == pairs::Convex::polyhedron;
-  if (corner) return arm;
-  const Pose at = body.convex_pose();
-  const Vec3 center = at.position - body.center.position;
-  if (kind == pairs::Convex::sphere) return center;
-  const Vec3 axis = at.rotation * Vec3{0, 1, 0};
-  return center + axis * dot(axis, arm - center);
-}
 
 // The mover that stands for all that does not move is at the origin.
 void shift_arms(Contact& contact, Vec3 TouchPoint::*arm, Vec3 by) {
@@ -165,10 +159,11 @@ void StepContacts::take(KeptContact& kept, std::deque<Mover>& movers, double sec
   contact.b = &mover_of(b, movers);
   contact.limit_push();
   contact.belt = belt_between(a, b);
+  const Pose at_a = a.convex_pose(), at_b = b.convex_pose();
   for (int i = 0; i < contact.count; ++i) {
     TouchPoint& point = contact.points[i];
-    point.hub_a = hub_of(a, point.arm_a, point.corner_a);
-    point.hub_b = hub_of(b, point.arm_b, point.corner_b);
+    take_hub(pairs::hub_of(a.convex, at_a, a.center.position, point.arm_a), point.hub_a, point.corner_a, contact.axis_a);
+    take_hub(pairs::hub_of(b.convex, at_b, b.center.position, point.arm_b), point.hub_b, point.corner_b, contact.axis_b);
     point.sum = 0;
   }
   if (is_ball(a) && is_ball(b)) {
@@ -233,8 +228,8 @@ void StepContacts::add_point(Made& made, btPersistentManifold& manifold, btManif
   TouchPoint& touch = contact.points[contact.count++];
   touch.arm_a = from_bullet(point.getPositionWorldOnA()) - contact.a->position;
   touch.arm_b = from_bullet(point.getPositionWorldOnB()) - contact.b->position;
-  touch.hub_a = hub_of(*state_of(manifold.getBody0()), point.m_partId0, point.m_index0, touch.arm_a, touch.corner_a);
-  touch.hub_b = hub_of(*state_of(manifold.getBody1()), point.m_partId1, point.m_index1, touch.arm_b, touch.corner_b);
+  take_hub(hub_of(*state_of(manifold.getBody0()), point.m_partId0, point.m_index0, touch.arm_a), touch.hub_a, touch.corner_a, contact.axis_a);
+  take_hub(hub_of(*state_of(manifold.getBody1()), point.m_partId1, point.m_index1, touch.arm_b), touch.hub_b, touch.corner_b, contact.axis_b);
   touch.separation = point.getDistance();
   touch.restitution = contact_restitution(manifold, point);
   touch.impulse = point.m_prevRHS;  // a force yet; see run()

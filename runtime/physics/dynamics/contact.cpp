@@ -8,6 +8,9 @@ namespace tumble::dynamics {
 
 namespace {
 
+// A rim rolls where its axis is this far from upright (sine), and where it touched near there before (cosine).
+constexpr double kLeastTilt = 0.02, kSameSide = 0.7;
+
 // A contact swings this many times in a substep, so that its stiffness grows with the number of substeps.
 constexpr double kContactFrequency = 0.25;
 constexpr double kContactDamping = 10;
@@ -27,6 +30,15 @@ Vec3 turned_off(Vec3 turn, Vec3 arm) {
     return first + second / 2 + cross(turn, second) / 6;
   }
   return turned_by({}, turn) * arm - arm;
+}
+
+// From the axis to the point where what is round about it reaches farthest along `out`; where that is nearly along the
+// axis or elsewhere than it was, as on a flat end, all that changes is what the turn lifts or lowers.
+Vec3 rolled(Vec3 spoke, Vec3 axis, Vec3 out, Vec3 turn) {
+  const Vec3 across = out - axis * dot(out, axis);
+  const double most = length(across), radius = length(spoke);
+  if (!(axis == Vec3{}) && most > kLeastTilt && dot(across, spoke) > kSameSide * most * radius) return across * (radius / most);
+  return spoke + out * dot(out, cross(turn, spoke));
 }
 
 }  // namespace
@@ -185,16 +197,17 @@ double Contact::carried_by_a(const TouchPoint& point) const {
 }
 
 void Contact::drifted(double h) {
-  const auto carry = [&](const Mover& mover, Vec3& hub, Vec3& arm) {
-    const Vec3 turn = mover.spin * h, along = turned_off(turn, hub);
-    // Of what does not turn with it, only what lifts or lowers the point.
-    arm += along + normal * dot(normal, cross(turn, arm - hub));
-    hub += along;
+  const auto carry = [&](const Mover& mover, Vec3 axis, Vec3 out, Vec3& hub, Vec3& arm) {
+    const Vec3 turn = mover.spin * h, spoke = arm - hub;
+    hub += turned_off(turn, hub);
+    arm = hub + rolled(spoke, axis, out, turn);
   };
+  if (!(axis_a == Vec3{})) axis_a += turned_off(a->spin * h, axis_a);
+  if (!(axis_b == Vec3{})) axis_b += turned_off(b->spin * h, axis_b);
   for (int i = 0; i < count; ++i) {
     TouchPoint& point = points[i];
-    if (a->pushable) carry(*a, point.hub_a, point.arm_a);
-    if (b->pushable || !(b->spin == Vec3{})) carry(*b, point.hub_b, point.arm_b);
+    if (a->pushable) carry(*a, axis_a, -normal, point.hub_a, point.arm_a);
+    if (b->pushable || !(b->spin == Vec3{})) carry(*b, axis_b, normal, point.hub_b, point.arm_b);
     const Vec3 apart = (a->position + point.arm_a) - (b->position + point.arm_b);
     point.separation = dot(apart, normal);
     const Vec3 aside = apart - normal * point.separation;

@@ -42,6 +42,9 @@ struct Contact {
   double friction = 0;
   int count = 0;
   TouchPoint points[kMostPoints];
+  // The axis of a body that is round about one, of length 1; zero of all others. Its rim or side touches where it comes
+  // lowest, and that goes round as the axis turns.
+  Vec3 axis_a, axis_b;
   // The friction's impulse: along both tangents, N s, and about the normal, N m s.
   Vec3 grip, last_grip;
   // Of two balls about their centres of mass, or about a place that does not move: their normal is taken anew in each
