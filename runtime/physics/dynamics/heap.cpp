@@ -11,7 +11,7 @@ namespace tumble::dynamics {
 
 namespace {
 
-constexpr std::size_t kFewest = 8;   // contacts
+constexpr std::size_t kFewest = 8, kFewBodies = 3;  // contacts, or bodies
 constexpr std::size_t kCrowd = 60;   // contacts from which on fast bodies are not looked at in each substep
 // Rounds go on, where it still runs, while speeds change by more than so many m/s for each second of a substep: a few rounds
 // until a stack does not tremble, and many while a blow goes through it.
@@ -41,7 +41,7 @@ Vec3 get(const float* v) { return {v[0], v[1], v[2]}; }
 }  // namespace
 
 bool is_heap(const Island& island) {
-  if (island.contacts.size() < kFewest || !island.mechanisms.empty() || island.bouncy) return false;
+  if ((island.contacts.size() < kFewest && island.movers.size() < kFewBodies) || !island.mechanisms.empty() || island.bouncy) return false;
   if (!island.looks.empty() && island.contacts.size() < kCrowd) return false;
   return std::all_of(island.movers.begin(), island.movers.end(), [](const Mover* mover) { return plain(*mover); });
 }
