@@ -158,14 +158,13 @@ TEST_CASE("queries: a cast ball meets a box after the way that geometry says", "
 
   const auto face = scene.world.cast(ball(0.5), {{0, 0.3, 0}, {}}, {1, 0, 0}, 10);
   REQUIRE(face);
-  CHECK(face->distance == Approx(3.5).margin(1e-5));
-  CHECK(face->normal.x == Approx(-1).margin(1e-6));
+  CHECK(face->distance == Approx(3.5).margin(1e-9));
+  CHECK(face->normal.x == Approx(-1).margin(1e-9));
 
-  // Past the upper edge by 0.3 m: touches where the circle of 0.5 m about the edge is 0.4 m before it. The box's edge is
-  // rounded by 1 mm.
+  // Past the upper edge by 0.3 m: touches where the circle of 0.5 m about the edge is 0.4 m before it.
   const auto edge = scene.world.cast(ball(0.5), {{0, 1.3, 0}, {}}, {1, 0, 0}, 10);
   REQUIRE(edge);
-  CHECK(edge->distance == Approx(4 - 0.4).margin(2e-3));
+  CHECK(edge->distance == Approx(4 - 0.4).margin(1e-9));
   CHECK_FALSE(scene.world.cast(ball(0.5), {{0, 1.51, 0}, {}}, {1, 0, 0}, 10));
   CHECK(scene.world.cast(ball(0.5), {{4.2, 0, 0}, {}}, {1, 0, 0}, 10)->inside);
 }
@@ -179,8 +178,8 @@ TEST_CASE("queries: a cast capsule stands on a ramp where geometry says", "[phys
 
   // The lower ball's centre is r / cos(slope) above the surface, which is 0.5 / cos(slope) above the middle.
   REQUIRE(hit);
-  CHECK(hit->distance == Approx(5 - 0.6 - (0.3 + 0.5) / std::cos(slope)).margin(1e-5));
-  CHECK(hit->normal.y == Approx(std::cos(slope)).margin(1e-5));
+  CHECK(hit->distance == Approx(5 - 0.6 - (0.3 + 0.5) / std::cos(slope)).margin(1e-9));
+  CHECK(hit->normal.y == Approx(std::cos(slope)).margin(1e-9));
 }
 
 TEST_CASE("queries: penetrations push a capsule out of every shape", "[physics]") {

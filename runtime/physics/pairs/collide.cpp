@@ -193,4 +193,20 @@ bool collide(const Convex& a, const Pose& pose_a, const Convex& b, const Pose& p
   return found;
 }
 
+bool closest(const Convex& a, const Pose& pose_a, const Convex& b, const Pose& pose_b, double within, Nearest& out) {
+  if (a.kind > b.kind) {
+    const bool found = closest(b, pose_b, a, pose_a, within, out);
+    out.normal = -out.normal;
+    std::swap(out.on_a, out.on_b);
+    return found;
+  }
+  const Vec3 origin = pose_a.position;  // so that a far origin costs no digits
+  const Placed at_a(a, {{}, pose_a.rotation}), at_b(b, {pose_b.position - origin, pose_b.rotation});
+  const bool known = nearest_of_round(at_a, at_b, out) || nearest(at_a, at_b, within, {}, out);
+  if (!known || out.separation > within) return false;
+  out.on_a += origin;
+  out.on_b += origin;
+  return true;
+}
+
 }  // namespace tumble::pairs

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "physics/pairs/manifold.h"
+#include "physics/pairs/nearest.h"
 #include "physics/pairs/separation.h"
 
 namespace tumble::pairs {
@@ -21,5 +22,8 @@ struct Cache {
 // Triangles are taken for parts of a mesh: while apart, one gives no points towards a shape that it meets with its rim
 // rather than its face (by more than 60 degrees), since its neighbour lies there and would stop what slides along both.
 bool collide(const Convex& a, const Pose& pose_a, const Convex& b, const Pose& pose_b, double margin, Cache& cache, Manifold& out);
+
+// The nearest points of both, or the shortest way out of an overlap; false where they are apart by more than `within`.
+bool closest(const Convex& a, const Pose& pose_a, const Convex& b, const Pose& pose_b, double within, Nearest& out);
 
 }  // namespace tumble::pairs
