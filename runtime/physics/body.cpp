@@ -48,6 +48,13 @@ void describe_surface(BodyDef& body, Schema& s) {
   s.add("restitution", body.restitution,
         "Speed after a hit over speed before; above 1 adds energy. physics.default_restitution where it is not given.")
       .at_least(0);
+  s.add("rolling_friction", body.rolling_friction,
+        "What stops a round body that rolls: a force at its rim of so many times what presses; on a slope steeper than this it "
+        "rolls. 0.002 is a steel ball on steel, 0.03 a ball on grass. Of two bodies the larger counts.")
+      .at_least(0);
+  s.add("spinning_friction", body.spinning_friction,
+        "The same for a round body that spins on the spot: a moment of so many times its radius times what presses.")
+      .at_least(0);
   s.add("friction_combine", body.friction_combine,
         "How the frictions of two bodies become one. Where two bodies differ: multiply before average, before min, before max "
         "(the later one wins). The world's rule where neither says.");

@@ -46,6 +46,7 @@ struct BodyDef {
   Vec3 velocity, angular_velocity;    // world, m/s and rad/s
   std::optional<double> friction, restitution;  // the world's defaults where not given
   std::optional<Combine> friction_combine, restitution_combine;
+  double rolling_friction = 0, spinning_friction = 0;  // moments over what presses, in radii; the larger of two bodies'
   double damping = 0, angular_damping = 0;      // 1/s: v(t) = v0 exp(-damping t)
   double gravity_factor = 1;
   Vec3 rotation_factor{1, 1, 1};      // world axes; 0 locks

@@ -23,6 +23,8 @@
 ---@field lock_rotation string World axes about which it cannot turn: "xz", "xyz".
 ---@field friction? number Coulomb's coefficient; physics.default_friction where it is not given.
 ---@field restitution? number Speed after a hit over speed before; above 1 adds energy. physics.default_restitution where it is not given.
+---@field rolling_friction number What stops a round body that rolls: a force at its rim of so many times what presses; on a slope steeper than this it rolls. 0.002 is a steel ball on steel, 0.03 a ball on grass. Of two bodies the larger counts.
+---@field spinning_friction number The same for a round body that spins on the spot: a moment of so many times its radius times what presses.
 ---@field friction_combine? "average"|"min"|"max"|"multiply" How the frictions of two bodies become one. Where two bodies differ: multiply before average, before min, before max (the later one wins). The world's rule where neither says.
 ---@field restitution_combine? "average"|"min"|"max"|"multiply" The same for restitution.
 ---@field surface_velocity vec3 Of its surface against itself, in its own frame, as of a conveyor belt, m/s.
@@ -115,6 +117,8 @@ function body:set_angular_velocity(velocity) end
 ---@field lock_rotation? string World axes about which it cannot turn: "xz", "xyz".
 ---@field friction? number Coulomb's coefficient; physics.default_friction where it is not given.
 ---@field restitution? number Speed after a hit over speed before; above 1 adds energy. physics.default_restitution where it is not given.
+---@field rolling_friction? number What stops a round body that rolls: a force at its rim of so many times what presses; on a slope steeper than this it rolls. 0.002 is a steel ball on steel, 0.03 a ball on grass. Of two bodies the larger counts.
+---@field spinning_friction? number The same for a round body that spins on the spot: a moment of so many times its radius times what presses.
 ---@field friction_combine? "average"|"min"|"max"|"multiply" How the frictions of two bodies become one. Where two bodies differ: multiply before average, before min, before max (the later one wins). The world's rule where neither says.
 ---@field restitution_combine? "average"|"min"|"max"|"multiply" The same for restitution.
 ---@field surface_velocity? vec3 Of its surface against itself, in its own frame, as of a conveyor belt, m/s.

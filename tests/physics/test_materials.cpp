@@ -109,3 +109,80 @@ TEST_CASE("materials: a belt brings what lies on it to its speed", "[physics]") 
   CHECK(scene.world.velocity(id).x == Approx(1.5).epsilon(0.01));
   CHECK(std::abs(scene.world.velocity(id).z) < 0.01);
 }
+
+// A solid ball that rolls is braked by c g / (1 + 2/5), since the force at its rim also has to slow its turning.
+TEST_CASE("materials: rolling friction brakes a ball by 5/7 of c g, and holds it on slopes up to c", "[physics]") {
+  const double c = 0.05, v = 2;
+  Scene scene;
+  scene.floor();
+  BodyDef def = body(ball(0.25));
+  def.friction = 1;
+  def.rolling_friction = c;
+  def.velocity = {v, 0, 0};
+  def.angular_velocity = {0, 0, -v / 0.25};
+  const BodyId id = scene.add(def, {0, 0.25, 0});
+  scene.run(1);
+  CHECK(scene.world.velocity(id).x == Approx(v - c * 9.81 / 1.4).epsilon(1e-3));
+  scene.run(9);
+  CHECK(scene.at(id).x == Approx(v * v / (2 * c * 9.81 / 1.4)).epsilon(2e-3));
+  CHECK(length(scene.world.velocity(id)) < 1e-6);
+
+  for (const double part : {0.9, 1.1}) {
+    const double slope = std::atan(c * part);
+    WorldSettings tilted;
+    tilted.gravity = Vec3{std::sin(slope), -std::cos(slope), 0} * 9.81;
+    tilted.sleeping = false;
+    Scene hill(tilted);
+    hill.floor();
+    def.velocity = def.angular_velocity = {};
+    const BodyId stone = hill.add(def, {0, 0.25, 0});
+    hill.run(10);
+    // Beyond c it rolls with what is left of gravity along the slope.
+    const double expected = part < 1 ? 0 : (std::sin(slope) - c * std::cos(slope)) * 9.81 / 1.4 * 100 / 2;
+    CHECK(hill.at(stone).x == Approx(expected).margin(0.02));
+  }
+}
+
+TEST_CASE("materials: spinning friction stops a ball that spins on the spot, whichever of the two bodies has it", "[physics]") {
+  const double c = 0.02, r = 0.25, w = 5;
+  for (const bool on_floor : {false, true}) {
+    Scene scene;
+    BodyDef ground = body(box({10, 1, 10}), BodyType::fixed), def = body(ball(r));
+    (on_floor ? ground : def).spinning_friction = c;
+    scene.add(ground, {0, -0.5, 0});
+    def.angular_velocity = {0, w, 0};
+    const BodyId id = scene.add(def, {0, r, 0});
+    scene.run(0.5);
+    CHECK(scene.world.angular_velocity(id).y == Approx(w - c * 9.81 / (0.4 * r) * 0.5).epsilon(2e-3));
+    scene.run(3);
+    CHECK(length(scene.world.angular_velocity(id)) < 1e-9);
+    CHECK(std::abs(scene.at(id).x) + std::abs(scene.at(id).z) < 1e-6);
+  }
+}
+
+TEST_CASE("materials: rolling friction slows a cylinder, a wheel of several colliders, and no box", "[physics]") {
+  const double c = 0.1, r = 0.3, v = 2;
+  const Quat lies = axis_angle({1, 0, 0}, kPi / 2);
+  BodyDef cylinder = body(upright(ShapeKind::cylinder, r, 0.4)), wheel = cylinder;
+  wheel.colliders = {collider(upright(ShapeKind::cylinder, r, 0.2), {0, 0.1, 0}), collider(upright(ShapeKind::cylinder, r, 0.2), {0, -0.1, 0})};
+  for (BodyDef* def : {&cylinder, &wheel}) {
+    Scene scene;
+    scene.floor();
+    def->friction = 1;
+    def->rolling_friction = c;
+    def->velocity = {v, 0, 0};
+    def->angular_velocity = {0, 0, -v / r};
+    const BodyId id = scene.add(*def, {0, r, 0}, lies);
+    scene.run(1);
+    CHECK(scene.world.velocity(id).x == Approx(v - c * 9.81 / 1.5).epsilon(5e-3));
+  }
+  Scene scene;
+  scene.floor();
+  BodyDef sled = body(box({1, 0.5, 1}));
+  sled.friction = 0;
+  sled.rolling_friction = c;
+  sled.velocity = {v, 0, 0};
+  const BodyId id = scene.add(sled, {0, 0.25, 0});
+  scene.run(1);
+  CHECK(scene.world.velocity(id).x == Approx(v).epsilon(1e-9));
+}

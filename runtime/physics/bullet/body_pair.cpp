@@ -72,17 +72,18 @@ void BodyPair::write(const pairs::Manifold& found) {
   Contact& contact = kept_->contact;
   if (found.count == 0) {
     contact.count = 0;
-    contact.grip = {};
+    contact.grip = contact.roll = {};
     return;
   }
   TouchPoint old[Contact::kMostPoints];
   const int count = contact.count;
   std::copy(contact.points, contact.points + count, old);
-  const Vec3 normal = contact.normal, grip = contact.tangent_1 * contact.grip.x + contact.tangent_2 * contact.grip.y;
+  const Vec3 normal = contact.normal, roll = contact.tangent_1 * contact.roll.x + contact.tangent_2 * contact.roll.y, grip = contact.tangent_1 * contact.grip.x + contact.tangent_2 * contact.grip.y;
   const bool alike = count > 0 && dot(normal, found.normal) >= kSameNormal;
 
   contact.set_normal(found.normal);
   contact.grip = alike ? Vec3{dot(grip, contact.tangent_1), dot(grip, contact.tangent_2), contact.grip.z} : Vec3{};
+  contact.roll = alike ? Vec3{dot(roll, contact.tangent_1), dot(roll, contact.tangent_2), contact.roll.z} : Vec3{};
   const Surface surface = surface_between(a_, b_);
   contact.friction = surface.friction;
   contact.count = found.count;

@@ -88,6 +88,22 @@ void write_contact(const Contact& contact, btManifoldPoint* const* points) {
 // One that turns about its own centre.
 bool is_ball(const BodyState& body) { return body.convex.kind == pairs::Convex::sphere && body.convex_at.position == Vec3{}; }
 
+// How far what is round reaches from its axis or centre towards the other; of two such, as if one rolled on a flat.
+double rolling_radius(const Contact& contact) {
+  const TouchPoint& point = contact.points[0];
+  const double a = point.corner_a ? 0 : std::max(0.0, dot(point.hub_a - point.arm_a, contact.normal));
+  const double b = point.corner_b ? 0 : std::max(0.0, dot(point.arm_b - point.hub_b, contact.normal));
+  return a > 0 && b > 0 ? a * b / (a + b) : std::max(a, b);
+}
+
+void set_rolling(Contact& contact, const BodyState& a, const BodyState& b) {
+  const double rolling = std::max(a.def.rolling_friction, b.def.rolling_friction);
+  const double spinning = std::max(a.def.spinning_friction, b.def.spinning_friction);
+  const double radius = rolling > 0 || spinning > 0 ? rolling_radius(contact) : 0;
+  contact.rolling = rolling * radius;
+  contact.spinning = spinning * radius;
+}
+
 // The mover that stands for all that does not move is at the origin.
 void shift_arms(Contact& contact, Vec3 TouchPoint::*arm, Vec3 by) {
   for (int i = 0; i < contact.count; ++i) contact.points[i].*arm += by;
@@ -105,7 +121,7 @@ void leave_out(KeptContact& kept) {
     point.impulse = 0;
     point.separation = kApart;
   }
-  kept.contact.grip = {};
+  kept.contact.grip = kept.contact.roll = {};
   kept.spoil();
 }
 
@@ -166,6 +182,7 @@ void StepContacts::take(KeptContact& kept, std::deque<Mover>& movers, double sec
     take_hub(pairs::hub_of(b.convex, at_b, b.center.position, point.arm_b), point.hub_b, point.corner_b, contact.axis_b);
     point.sum = 0;
   }
+  set_rolling(contact, a, b);
   if (is_ball(a) && is_ball(b)) {
     contact.radius_a = a.convex.radius;
     contact.radius_b = b.convex.radius;
@@ -216,6 +233,7 @@ void StepContacts::make(btPersistentManifold& manifold, std::deque<Mover>& mover
   }
   for (std::size_t at = first; at < made_.size(); ++at) {
     Contact& contact = made_[at].contact;
+    set_rolling(contact, a, b);
     const Vec3 center = middle(contact);
     for (int i = 0; i < contact.count; ++i)
       contact.grip += kept_grip(*made_[at].points[i], contact, contact.points[i].arm_a - center);

@@ -89,6 +89,7 @@ double Contact::nearest() const {
 void Contact::scale(double factor) {
   for (int i = 0; i < count; ++i) points[i].impulse *= factor;
   grip = grip * factor;
+  roll = roll * factor;
 }
 
 void Contact::begin(double h) {
@@ -98,7 +99,8 @@ void Contact::begin(double h) {
     points[i].hit = 0;
   }
   last_grip = grip;
-  grip = {};
+  last_roll = roll;
+  grip = roll = {};
   placed_ = false;
   ahead_ = h / 2;
   if (radius_a > 0) return;  // see meet()
@@ -150,6 +152,7 @@ void Contact::warm_start() {
     points[i].impulse += part;
     push(points[i], part);
   }
+  if (!(last_roll == Vec3{})) twist(last_roll / 2);
   if (friction <= 0 || last_grip == Vec3{}) return;
   if (!placed_) place_friction();
   drag(last_grip / 2);
@@ -160,6 +163,7 @@ double Contact::solve(double h, const Softness* soft) {
   const double changed = solve_normals(h, soft);
   if (count > 1) solve_normals(h, soft);
   if (friction > 0) solve_friction();
+  if (rolling > 0 || spinning > 0) solve_rolling();
   return changed;
 }
 

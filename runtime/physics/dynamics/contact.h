@@ -47,6 +47,10 @@ struct Contact {
   Vec3 axis_a, axis_b;
   // The friction's impulse: along both tangents, N s, and about the normal, N m s.
   Vec3 grip, last_grip;
+  // What stops rolling and spinning on the spot, where asked for: the most that its moment may be, over what presses, m;
+  // and its impulse along both tangents and the normal, N m s.
+  double rolling = 0, spinning = 0;
+  Vec3 roll, last_roll;
   // Of two balls about their centres of mass, or about a place that does not move: their normal is taken anew in each
   // substep, where they meet. 0 of all others.
   double radius_a = 0, radius_b = 0;
@@ -103,6 +107,8 @@ struct Contact {
   double closing_at(const TouchPoint& point, double time, double h) const;
   void push(const TouchPoint& point, double impulse);
   void solve_friction();
+  void solve_rolling();
+  void twist(Vec3 change);
   double solve_normals(double h, const Softness* soft);
   void place_friction();
   void note_mobility();

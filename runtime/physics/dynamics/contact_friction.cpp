@@ -100,6 +100,28 @@ void Contact::solve_friction() {
   drag({change.x, change.y, lever_ > 0 ? change.z * lever_ : 0});
 }
 
+void Contact::twist(Vec3 change) {
+  roll += change;
+  const Vec3 moment = tangent_1 * change.x + tangent_2 * change.y + normal * change.z;
+  a->push({}, moment);
+  b->push({}, -moment);
+}
+
+// Moments against the turn of one body over the other, each up to a lever times what presses: rolling by both tangents
+// together, spinning on the spot about the normal.
+void Contact::solve_rolling() {
+  const double presses = pressing();
+  const Vec3 turning = a->spin - b->spin, axes[3] = {tangent_1, tangent_2, normal};
+  double wanted[3] = {roll.x, roll.y, roll.z};
+  for (int i = 0; i < 3; ++i) {
+    const double ease = dot(a->inverse_inertia * axes[i] + b->inverse_inertia * axes[i], axes[i]);
+    if (ease > 0) wanted[i] -= dot(turning, axes[i]) / ease;
+  }
+  const double most = rolling * presses, size = std::hypot(wanted[0], wanted[1]), part = size > most ? most / size : 1;
+  const double spin = std::clamp(wanted[2], -spinning * presses, spinning * presses);
+  twist(Vec3{wanted[0] * part, wanted[1] * part, spin} - roll);
+}
+
 // The friction of an area that presses evenly, over mu N, against a slip along both tangents and, times the lever, about
 // the normal: the mean of what its parts do, over the quadrilateral of the points. (The limit surface of
 // S. Goyal, A. Ruina and J. Papadopoulos, Wear 143, 1991; the ellipsoid is it only where one of both motions is small.)

@@ -43,6 +43,7 @@ Vec3 get(const float* v) { return {v[0], v[1], v[2]}; }
 bool is_heap(const Island& island) {
   if ((island.contacts.size() < kFewest && island.movers.size() < kFewBodies) || !island.mechanisms.empty() || island.bouncy) return false;
   if (!island.looks.empty() && island.contacts.size() < kCrowd) return false;
+  if (std::any_of(island.contacts.begin(), island.contacts.end(), [](const Contact* contact) { return contact->rolling > 0 || contact->spinning > 0; })) return false;
   return std::all_of(island.movers.begin(), island.movers.end(), [](const Mover* mover) { return plain(*mover); });
 }
 
