@@ -147,7 +147,8 @@ void add_rows(DrawList& list, const std::vector<Row>& rows, double aspect) {
 
 std::string cost_text(const WorldStats& stats) {
   return std::to_string(stats.bodies) + " bodies, " + std::to_string(stats.joints) + " joints, " + std::to_string(stats.contacts) +
-         " contacts: " + number_text(std::round(stats.step_ms * 100) / 100) + " ms a tick";
+         " contacts; " + std::to_string(stats.islands) + " islands, up to " + std::to_string(stats.substeps) +
+         " substeps: " + number_text(std::round(stats.step_ms * 100) / 100) + " ms a tick";
 }
 
 }  // namespace

@@ -19,9 +19,14 @@
 
 namespace tumble {
 
+// How much is paid for accuracy: 2, 4 or 16 substeps at least; decision 0016 has what each is worth.
+enum class Profile { fast, balanced, exact };
+const EnumNames& enum_names(Profile);
+
 struct WorldSettings {
   Vec3 gravity{0, -9.81, 0};          // m/s^2
-  int substeps = 4;                   // of one step, at least: see docs/guide/dynamics.md
+  Profile profile = Profile::balanced;
+  std::optional<int> substeps;        // of one step, at least, in place of the profile's: see docs/guide/dynamics.md
   int iterations = 2;                 // rounds over the contacts in each half of a substep, at least
   bool sleeping = true;
   double default_friction = 0.5;      // of a body that gives none
@@ -29,11 +34,13 @@ struct WorldSettings {
   Combine friction_combine = Combine::multiply;      // as Bullet; see docs/guide/meanings.md
   Combine restitution_combine = Combine::max;        // the livelier surface decides
   std::vector<std::string> groups;    // at most 31 names beside the default group
+  int least_substeps() const;
 };
 void describe(WorldSettings& settings, Schema& s);
 
 struct WorldStats {
   int bodies = 0, awake = 0, joints = 0, contacts = 0;
+  int islands = 0, substeps = 0;      // of the last step; the most that an island took
   double step_ms = 0;                 // thread CPU time of the last step
 };
 

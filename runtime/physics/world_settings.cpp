@@ -1,11 +1,24 @@
 #include "physics/world.h"
 
+#include <algorithm>
+
 namespace tumble {
+
+const EnumNames& enum_names(Profile) {
+  static const EnumNames names = {"fast", "balanced", "exact"};
+  return names;
+}
+
+int WorldSettings::least_substeps() const {
+  if (substeps) return std::max(1, *substeps);
+  return profile == Profile::fast ? 2 : profile == Profile::exact ? 16 : 4;
+}
 
 void describe(WorldSettings& settings, Schema& s) {
   s.name("physics", "The physical world.");
   s.add("gravity", settings.gravity, "m/s^2.");
-  s.add("substeps", settings.substeps, "Parts of one step, at least; what is heavily loaded takes more by itself.").between(1, 64);
+  s.add("profile", settings.profile, "What accuracy may cost: \"fast\", \"balanced\" or \"exact\" take 2, 4 or 16 substeps at least.");
+  s.add("substeps", settings.substeps, "Parts of one step, at least, in place of the profile's; what is heavily loaded takes more by itself.").between(1, 64);
   s.add("iterations", settings.iterations, "Rounds over contacts in each half of a substep, at least; a blow takes more.").between(1, 1000);
   s.add("sleeping", settings.sleeping, "May resting bodies fall asleep?");
   s.add("default_friction", settings.default_friction, "Of a body that gives none.").at_least(0);

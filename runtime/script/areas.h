@@ -24,6 +24,7 @@ void rows_animation(Area&);
 void rows_camera(Area&);
 void rows_body(Area&);
 void rows_physics(Area&);
+void rows_physics_settings(Area&);  // part of the same
 void rows_hit(Area&);
 void rows_filter(Area&);
 void rows_joint_module(Area&);

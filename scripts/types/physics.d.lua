@@ -5,7 +5,8 @@
 ---@class physics_module
 ---@field gravity vec3 Acceleration of free fall, m/s^2.
 ---@field sleeping boolean May bodies at rest fall asleep?
----@field substeps integer How many small steps make a tick.
+---@field profile string What accuracy may cost: "fast", "balanced" or "exact" take 2, 4 or 16 substeps at least.
+---@field substeps integer? How many small steps make a tick, at least, in place of the profile's; nil: as the profile says.
 ---@field iterations integer How often, at least, the solver goes over the contacts in each half of a substep; a blow takes more.
 ---@field default_friction number Friction of a body that gives none.
 ---@field default_restitution number Restitution of a body that gives none.
@@ -84,14 +85,15 @@ function physics.penetrations(shape, position, within, filter) end
 ---@return filter
 function physics.filter(filter) end
 
---- Figures of the last step: bodies, awake, joints, contacts, step_ms.
+--- Figures of the last step: bodies, awake, joints, contacts, islands (what touches or is joined), substeps (the most that one of them took), step_ms.
 ---@return table
 function physics.stats() end
 
 --- The physical world.
 ---@class physics_options
 ---@field gravity? vec3 m/s^2.
----@field substeps? integer Parts of one step, at least; what is heavily loaded takes more by itself.
+---@field profile? "fast"|"balanced"|"exact" What accuracy may cost: "fast", "balanced" or "exact" take 2, 4 or 16 substeps at least.
+---@field substeps? integer Parts of one step, at least, in place of the profile's; what is heavily loaded takes more by itself.
 ---@field iterations? integer Rounds over contacts in each half of a substep, at least; a blow takes more.
 ---@field sleeping? boolean May resting bodies fall asleep?
 ---@field default_friction? number Of a body that gives none.

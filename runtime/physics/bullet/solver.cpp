@@ -121,12 +121,14 @@ void Solver::begin(const WorldSettings& settings, const std::vector<BodyState*>&
 }
 
 void Solver::run(double seconds, int least, int rounds) {
+  most_substeps_ = 0;
   for (dynamics::Island& island : islands_) {
     if (!dynamics::is_heap(island)) {
-      dynamics::run(island, seconds, least, rounds);
+      most_substeps_ = std::max(most_substeps_, dynamics::run(island, seconds, least, rounds));
       continue;
     }
     const int count = dynamics::substeps_of(island, seconds, least);
+    most_substeps_ = std::max(most_substeps_, count);
     if (!heaps_[count]) heaps_[count] = std::make_unique<dynamics::Heap>();
     heaps_[count]->add(island);
   }

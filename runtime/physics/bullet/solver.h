@@ -28,6 +28,7 @@ class Solver {
   void end(double seconds);
   // How many islands the last step had; BodyState::island is one of them.
   int islands() const { return static_cast<int>(islands_.size()); }
+  int most_substeps() const { return most_substeps_; }  // that one of them took
 
  private:
   dynamics::Mover& add_mover(BodyState& body);
@@ -45,6 +46,7 @@ class Solver {
   std::vector<dynamics::Island> islands_;
   std::map<int, std::unique_ptr<dynamics::Heap>> heaps_;  // by their number of substeps
   bool mechanisms_known_ = false;
+  int most_substeps_ = 0;
 };
 
 }  // namespace tumble

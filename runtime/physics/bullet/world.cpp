@@ -295,6 +295,8 @@ WorldStats World::stats() const {
   stats.bodies = static_cast<int>(impl_->bodies.size());
   stats.joints = static_cast<int>(impl_->live.size());
   stats.contacts = impl_->book.touching();
+  stats.islands = impl_->solver.islands();
+  stats.substeps = impl_->solver.most_substeps();
   stats.step_ms = impl_->step_ms;
   stats.awake = static_cast<int>(impl_->awake.bodies().size());
   return stats;

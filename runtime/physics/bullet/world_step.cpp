@@ -67,7 +67,7 @@ void World::Impl::step(double seconds) {
   for (int pass = 0; pass < passes; ++pass) {
     collision.look(part, settings.gravity, carriers);
     solver.begin(settings, awake.bodies(), carriers, live, collision, part);
-    solver.run(part, std::max(1, settings.substeps), std::max(1, settings.iterations));
+    solver.run(part, settings.least_substeps(), std::max(1, settings.iterations));
     solver.end(part);
   }
   end_step(seconds);

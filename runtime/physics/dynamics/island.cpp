@@ -242,7 +242,7 @@ int substeps_of(const Island& island, double seconds, int least) {
   return times * least;
 }
 
-void run(Island& island, double seconds, int least, int rounds) {
+int run(Island& island, double seconds, int least, int rounds) {
   for (Mover* mover : island.movers) mover->refresh();
   const int count = flies_alone(island, seconds) ? 1 : substeps_of(island, seconds, least);
   const double h = seconds / count;
@@ -250,6 +250,7 @@ void run(Island& island, double seconds, int least, int rounds) {
   for (Contact* contact : island.contacts) contact->scale(h);
   for (int i = 0; i < count; ++i) substep(island, h, rounds);
   for (Contact* contact : island.contacts) contact->scale(1 / h);
+  return count;
 }
 
 }  // namespace tumble::dynamics

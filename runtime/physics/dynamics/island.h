@@ -25,7 +25,8 @@ std::vector<Island> find_islands(std::deque<Mover>& movers, const std::vector<Co
 // How many substeps a step of so many seconds takes, at least `least`; contacts' impulses are forces yet.
 int substeps_of(const Island& island, double seconds, int least);
 
-// Takes it through the step, with at least so many rounds over the contacts in each half of a substep.
-void run(Island& island, double seconds, int least, int rounds);
+// Takes it through the step, with at least so many rounds over the contacts in each half of a substep. Tells how many
+// substeps it took.
+int run(Island& island, double seconds, int least, int rounds);
 
 }  // namespace tumble::dynamics
