@@ -70,6 +70,9 @@ class Fuzz {
     def.mass = one_in(6) ? std::pow(10.0, number(-3, 5)) : number(0.2, 3);
     def.friction = number(0, 1.5);
     def.restitution = one_in(2) ? 0 : number(0, 1);
+    if (one_in(6)) def.rolling_friction = number(0, 0.5);
+    if (one_in(6)) def.spinning_friction = number(0, 0.5);
+    if (one_in(10)) def.surface_velocity = place(3);
     def.velocity = place(one_in(6) ? 300 : 3);
     def.angular_velocity = place(one_in(6) ? 300 : 3);
     def.lock_rotation = one_in(10) ? "xz" : "";
@@ -95,6 +98,8 @@ class Fuzz {
     if (auto* slider = std::get_if<SliderDef>(&def.kind); slider && one_in(2)) {
       slider->position.spring.emplace().frequency = std::pow(10.0, number(-1, 3));
       slider->position.max = number(0, 1);
+      if (one_in(2)) slider->position.motor.emplace().speed = number(-5, 5);
+      if (one_in(2)) slider->position.friction = number(0, 50);
     }
     joints_.push_back(world_->add(def, 0));
   }
@@ -102,7 +107,7 @@ class Fuzz {
   void act() {
     const std::size_t at = index(ids_.size());
     const BodyId id = ids_[at];
-    switch (index(9)) {
+    switch (index(12)) {
       case 0: world_->apply_impulse(id, place(one_in(5) ? 1e6 : 5)); break;
       case 1: world_->apply_force(id, place(one_in(5) ? 1e9 : 50), place(1)); break;
       case 2: world_->set_velocity(id, place(one_in(5) ? 1e4 : 10)); break;
@@ -116,7 +121,20 @@ class Fuzz {
         break;
       }
       case 7: world_->set_enabled(id, !world_->enabled(id)); break;
-      case 8:
+      case 8: world_->sleep(id); break;
+      case 9: {
+        WorldSettings settings = world_->settings();
+        settings.gravity = place(15);
+        settings.profile = static_cast<Profile>(index(3));
+        if (one_in(2)) settings.substeps.reset();
+        world_->configure(settings);
+        break;
+      }
+      case 10:
+        if (joints_.empty() || one_in(2)) return join();
+        if (const JointId joint = joints_[index(joints_.size())]; world_->has(joint)) world_->remove(joint);
+        break;
+      case 11:
         world_->remove(id);
         ids_.erase(ids_.begin() + static_cast<long>(at));
         if (ids_.empty()) add();
