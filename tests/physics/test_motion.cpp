@@ -207,6 +207,50 @@ TEST_CASE("motion: a body at rest falls asleep within a second and every change 
   CHECK(scene.at(id).y < -1);
 }
 
+TEST_CASE("motion: a rider stays in its place on a carrier that sways and on one that turns", "[physics]") {
+  Scene sway;
+  const BodyId plate = sway.add(body(box({6, 1, 6}), BodyType::kinematic), {});
+  BodyDef def = body(box({1, 1, 1}));
+  def.friction = 1;  // with the plate's: 0.5
+  const BodyId rider = sway.add(def, {0, 1, 0});
+  double slip = 0;
+  for (int i = 1; i <= 300; ++i) {
+    const double x = 0.5 * (1 - std::cos(2 * kPi * 0.3 * i * kTick));
+    sway.world.move(plate, {{x, 0, 0}, {}});
+    sway.world.step(kTick);
+    slip = std::max(slip, std::abs(sway.at(rider).x - x));
+  }
+  CHECK(slip < 2e-4);
+
+  // At 2 rad/s a metre from the middle, where friction could hold 2.2 rad/s.
+  Scene turn;
+  const BodyId table = turn.add(body(box({6, 1, 6}), BodyType::kinematic), {});
+  def = body(box({0.2, 0.2, 0.2}));
+  def.friction = 1;
+  def.velocity = {0, 0, -2};
+  def.angular_velocity = {0, 2, 0};
+  const BodyId stone = turn.add(def, {1, 0.6, 0});
+  for (int i = 1; i <= 600; ++i) {
+    turn.world.move(table, {{}, axis_angle({0, 1, 0}, 2 * i * kTick)});
+    turn.world.step(kTick);
+  }
+  const Vec3 place = conjugate(axis_angle({0, 1, 0}, 20)) * turn.at(stone);
+  CHECK(std::hypot(place.x - 1, place.z) < 5e-4);
+}
+
+TEST_CASE("motion: a carrier that starts at once throws nothing up", "[physics]") {
+  Scene scene;
+  const BodyId lift = scene.add(body(box({6, 1, 6}), BodyType::kinematic), {});
+  const BodyId rider = scene.add(body(box({1, 1, 1})), {0, 1, 0});
+  scene.run(0.5);
+  for (int i = 1; i <= 60; ++i) {
+    scene.world.move(lift, {{0, 2 * i * kTick, 0}, {}});
+    scene.world.step(kTick);
+    CHECK(scene.at(rider).y - scene.at(lift).y < 1.001);
+    CHECK(scene.at(rider).y - scene.at(lift).y > 0.99);
+  }
+}
+
 TEST_CASE("motion: what flies past wakes nobody, and what touches wakes all that the body lies against", "[physics]") {
   Scene scene;
   scene.floor();

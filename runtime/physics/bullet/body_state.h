@@ -21,7 +21,9 @@ struct Materials;
 // A kinematic body's way through the next step, of its centre.
 struct Path {
   btTransform from, to;
-  btVector3 velocity, turning;
+  btVector3 velocity{0, 0, 0}, turning{0, 0, 0};  // means
+  btVector3 change{0, 0, 0};   // of the velocity, against the step before
+  btVector3 ramp{0, 0, 0};     // by how much the velocity grows within the step
 };
 
 // The colliders as lines, in the body's frame.

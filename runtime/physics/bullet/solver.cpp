@@ -31,7 +31,8 @@ Mover& Solver::add_mover(BodyState& body) {
 
 Mover& Solver::mover_of(const BodyState* body) { return body && body->mover ? *body->mover : movers_.front(); }
 
-void Solver::gather_bodies(const WorldSettings& settings, const std::vector<BodyState*>& awake, const std::vector<BodyState*>& carriers) {
+void Solver::gather_bodies(const WorldSettings& settings, const std::vector<BodyState*>& awake, const std::vector<BodyState*>& carriers,
+                           double seconds) {
   for (BodyState* body : awake) {
     Mover& mover = add_mover(*body);
     mover.pushable = true;
@@ -43,8 +44,10 @@ void Solver::gather_bodies(const WorldSettings& settings, const std::vector<Body
     mover.damping = body->def.damping;
     mover.angular_damping = body->def.angular_damping;
   }
-  for (BodyState* body : carriers)
-    if (!body->dynamic()) add_mover(*body);
+  for (BodyState* body : carriers) {
+    Mover& mover = add_mover(*body);
+    mover.acceleration = from_bullet(body->path.ramp) / seconds;
+  }
 }
 
 // ---- joints
@@ -110,7 +113,7 @@ void Solver::begin(const WorldSettings& settings, const std::vector<BodyState*>&
   awake_.clear();
   movers_.emplace_back();  // what cannot move
   if (!mechanisms_known_) find_mechanisms(live);
-  gather_bodies(settings, awake, carriers);
+  gather_bodies(settings, awake, carriers, seconds);
   for (JointPart* joint : live) joint->link.a = joint->link.b = nullptr;
   if (!live.empty()) gather_mechanisms(live);
   contacts_.gather(collision, movers_, seconds);

@@ -33,7 +33,7 @@ class Solver {
  private:
   dynamics::Mover& add_mover(BodyState& body);
   dynamics::Mover& mover_of(const BodyState* body);
-  void gather_bodies(const WorldSettings& settings, const std::vector<BodyState*>& awake, const std::vector<BodyState*>& carriers);
+  void gather_bodies(const WorldSettings& settings, const std::vector<BodyState*>& awake, const std::vector<BodyState*>& carriers, double seconds);
   void find_mechanisms(const std::vector<JointPart*>& live);
   void gather_mechanisms(const std::vector<JointPart*>& live);
 

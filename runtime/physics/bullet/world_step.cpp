@@ -14,6 +14,9 @@ constexpr double kStillSeconds = 0.5;
 // A step longer than this is cut: what may touch is looked for anew. But a step of an hour is not worth an hour's work.
 constexpr double kLongestPass = 0.05;  // s
 constexpr int kMostPasses = 400;
+// A carrier that speeds up evenly does so within a step too: its rider then need not be torn along at each one's start. It
+// does where its velocity changes as in the step before, up to this part.
+constexpr double kSteady = 0.25;
 // Beyond these a state counts as lost: squares in Bullet would become infinite.
 constexpr double kFarthest = 1e12, kFastest = 1e12;
 
@@ -63,6 +66,8 @@ void World::Impl::step(double seconds) {
   const double started = thread_ms();
   begin_step(seconds);
   const int passes = std::clamp(static_cast<int>(std::ceil(seconds / kLongestPass)), 1, kMostPasses);
+  if (passes > 1)
+    for (BodyState* body : carriers) body->path.ramp = {0, 0, 0};
   const double part = seconds / passes;
   for (int pass = 0; pass < passes; ++pass) {
     collision.look(part, settings.gravity, carriers);
@@ -90,6 +95,7 @@ void World::Impl::begin_step(double seconds) {
   for (BodyState* body : carriers) {
     Path& path = body->path;
     path.from = body->rigid->getWorldTransform();
+    const btVector3 before = path.velocity, change = path.change;
     path.velocity = path.turning = {0, 0, 0};
     if (body->moving) {
       path.velocity = (path.to.getOrigin() - path.from.getOrigin()) / seconds;
@@ -101,6 +107,9 @@ void World::Impl::begin_step(double seconds) {
         for (BodyState* partner : {joint->a, joint->b})
           if (partner) wake(*partner);
     }
+    path.change = path.velocity - before;
+    const bool steady = body->moving && (path.change - change).length() <= kSteady * path.change.length();
+    path.ramp = steady ? path.change : btVector3(0, 0, 0);
     body->rigid->setLinearVelocity(path.velocity);
     body->rigid->setAngularVelocity(path.turning);
     body->start_velocity = from_bullet(path.velocity);

@@ -43,8 +43,13 @@ void Contact::place_friction() {
   lever_ = place.lever;
   // What rides on a turning carrier goes round with it: its way in a substep is that of the middle of it, or it would
   // spiral outwards.
-  if (!b->pushable && !(b->spin == Vec3{})) arm_b_ += (a->velocity_at(points[0].hub_a) - b->velocity) * ahead_;
-  if (!a->pushable && !(a->spin == Vec3{})) arm_a_ += (b->velocity_at(points[0].hub_b) - a->velocity) * ahead_;
+  const auto ride = [this](const Mover& rider, Vec3 hub, Vec3& arm, const Mover& carrier, Vec3& on_carrier) {
+    if (carrier.pushable || carrier.spin == Vec3{}) return;
+    on_carrier += (rider.velocity_at(hub) - carrier.velocity) * ahead_;
+    arm += cross(rider.spin, hub) * ahead_;
+  };
+  ride(*a, points[0].corner_a ? arm_a_ : points[0].hub_a, arm_a_, *b, arm_b_);
+  ride(*b, points[0].corner_b ? arm_b_ : points[0].hub_b, arm_b_, *a, arm_a_);
 
   const Vec3 linear[3] = {tangent_1, tangent_2, {}};
   const Vec3 angular_a[3] = {cross(arm_a_, tangent_1), cross(arm_a_, tangent_2), normal * lever_};

@@ -53,7 +53,7 @@ void separate_carriers(std::deque<Mover>& movers, std::vector<Island>& islands) 
   for (Island& island : islands) {
     std::map<const Mover*, Mover*> own;
     const auto take = [&](Mover*& mover) {
-      if (mover->pushable || (mover->velocity == Vec3{} && mover->spin == Vec3{})) return;
+      if (mover->pushable || (mover->velocity == Vec3{} && mover->spin == Vec3{} && mover->acceleration == Vec3{})) return;
       Mover*& copy = own[mover];
       if (!copy) {
         movers.push_back(*mover);
@@ -152,13 +152,18 @@ void solve_in_rounds(Island& island, int least, double h, const Softness* soft) 
   }
 }
 
+// What is moved by somebody speeds up about its mean velocity, whatever pushes it.
+void kick(Mover& mover, double h, void (*pushed)(Mover&, double)) {
+  if (mover.pushable) pushed(mover, h);
+  else mover.velocity += mover.acceleration * (h / 2);
+}
+
 void move(Island& island, double h) {
   for (Mover* mover : island.movers) drift(*mover, h);
   for (Mechanism* mechanism : island.mechanisms) mechanism->close_gaps(h);
   for (Mechanism* mechanism : island.mechanisms) mechanism->turn_to_now(h);
   for (Contact* contact : island.contacts) contact->drifted(h);
-  for (Mover* mover : island.movers)
-    if (mover->pushable) kick_after(*mover, h);
+  for (Mover* mover : island.movers) kick(*mover, h, kick_after);
 }
 
 void substep(Island& island, double h, int rounds) {
@@ -166,8 +171,7 @@ void substep(Island& island, double h, int rounds) {
   for (Mechanism* mechanism : island.mechanisms) mechanism->begin();
   for (const auto& look : island.looks) look(h);
   for (Contact* contact : island.contacts) contact->begin(h);
-  for (Mover* mover : island.movers)
-    if (mover->pushable) kick_before(*mover, h);
+  for (Mover* mover : island.movers) kick(*mover, h, kick_before);
   for (Contact* contact : island.contacts) contact->foresee(h);
   if (island.bouncy) bounce(island.contacts, island.mechanisms, h);
   for (Contact* contact : island.contacts) contact->warm_start();
@@ -243,7 +247,10 @@ int substeps_of(const Island& island, double seconds, int least) {
 }
 
 int run(Island& island, double seconds, int least, int rounds) {
-  for (Mover* mover : island.movers) mover->refresh();
+  for (Mover* mover : island.movers) {
+    mover->refresh();
+    if (!mover->pushable) mover->velocity -= mover->acceleration * (seconds / 2);
+  }
   const int count = flies_alone(island, seconds) ? 1 : substeps_of(island, seconds, least);
   const double h = seconds / count;
   for (Mechanism* mechanism : island.mechanisms) mechanism->begin_step(h);

@@ -17,7 +17,7 @@ struct Mover {
 
   Vec3 inertia;                // principal moments, kg m^2
   Vec3 turn_factor{1, 1, 1};   // about the world's axes; 0 is locked
-  Vec3 acceleration;           // m/s^2, of all forces on it in this step
+  Vec3 acceleration;           // m/s^2, of all forces on it in this step; of what is moved, about its mean velocity
   Vec3 torque;                 // N m
   double damping = 0, angular_damping = 0;  // 1/s
   double stiffness = 0;        // kg m^2 to be added across `stiff_axis`: see JointGroup
