@@ -186,3 +186,27 @@ TEST_CASE("materials: rolling friction slows a cylinder, a wheel of several coll
   scene.run(1);
   CHECK(scene.world.velocity(id).x == Approx(v).epsilon(1e-9));
 }
+
+// A ball that rolls without slip on a board is dragged by f and turned by it, so that its rim runs at 7/2 f / m; the board, of
+// mass M, moves by what 25 of them and the floor leave of the push (SimBenchmark's "rolling").
+TEST_CASE("materials: balls that roll on a pushed board move as they should, however many there are", "[physics]") {
+  const double board_mass = 10, push = 150, floor_friction = 0.4, drag = floor_friction * (board_mass + 25) * 9.81;
+  const double on_ball = (push - drag) / (3.5 * board_mass + 25), board_rate = (push - drag - 25 * on_ball) / board_mass;
+  Scene scene;
+  scene.add(body(box({60, 1, 60}), BodyType::fixed), {0, -0.5, 0});
+  BodyDef def = body(box({20, 1, 20}));
+  def.mass = board_mass;
+  def.friction = floor_friction / 0.5;
+  const BodyId board = scene.add(def, {0, 0.5, 0});
+  def = body(ball(0.5));
+  def.friction = 1;
+  std::vector<BodyId> balls;
+  for (int i = 0; i < 25; ++i) balls.push_back(scene.add(def, {2.0 * (i % 5 - 2), 1.5, 2.0 * (i / 5 - 2)}));
+  const Vec3 along = normalized(Vec3{1, 0, 1.7});
+  for (int i = 0; i < 60; ++i) {
+    scene.world.apply_force(board, along * push);
+    scene.world.step(kTick);
+  }
+  CHECK(dot(scene.world.velocity(board), along) == Approx(board_rate).epsilon(0.003));
+  for (const BodyId id : balls) CHECK(dot(scene.world.velocity(id), along) == Approx(on_ball).epsilon(0.003));
+}

@@ -32,15 +32,6 @@ Vec3 turned_off(Vec3 turn, Vec3 arm) {
   return turned_by({}, turn) * arm - arm;
 }
 
-// From the axis to the point where what is round about it reaches farthest along `out`; where that is nearly along the
-// axis or elsewhere than it was, as on a flat end, all that changes is what the turn lifts or lowers.
-Vec3 rolled(Vec3 spoke, Vec3 axis, Vec3 out, Vec3 turn) {
-  const Vec3 across = out - axis * dot(out, axis);
-  const double most = length(across), radius = length(spoke);
-  if (!(axis == Vec3{}) && most > kLeastTilt && dot(across, spoke) > kSameSide * most * radius) return across * (radius / most);
-  return spoke + out * dot(out, cross(turn, spoke));
-}
-
 }  // namespace
 
 Softness softness(double frequency, double damping_ratio, double h) {
@@ -200,11 +191,19 @@ double Contact::carried_by_a(const TouchPoint& point) const {
   return far_a + far_b > 0 ? far_b / (far_a + far_b) : 0.5;
 }
 
+std::optional<Vec3> rolled(Vec3 spoke, Vec3 axis, Vec3 out) {
+  const Vec3 across = out - axis * dot(out, axis);
+  const double most = length(across), radius = length(spoke);
+  if (axis == Vec3{} || most <= kLeastTilt || dot(across, spoke) <= kSameSide * most * radius) return {};
+  return across * (radius / most);
+}
+
 void Contact::drifted(double h) {
   const auto carry = [&](const Mover& mover, Vec3 axis, Vec3 out, Vec3& hub, Vec3& arm) {
     const Vec3 turn = mover.spin * h, spoke = arm - hub;
     hub += turned_off(turn, hub);
-    arm = hub + rolled(spoke, axis, out, turn);
+    // Of what does not turn with it, only what lifts or lowers the point.
+    arm = hub + rolled(spoke, axis, out).value_or(spoke + out * dot(out, cross(turn, spoke)));
   };
   if (!(axis_a == Vec3{})) axis_a += turned_off(a->spin * h, axis_a);
   if (!(axis_b == Vec3{})) axis_b += turned_off(b->spin * h, axis_b);

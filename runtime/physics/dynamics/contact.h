@@ -5,6 +5,8 @@
 // pass found them; separations follow the bodies.
 #pragma once
 
+#include <optional>
+
 #include "physics/dynamics/mover.h"
 
 namespace tumble::dynamics {
@@ -17,6 +19,10 @@ struct Softness {
 };
 Softness softness(double frequency, double damping_ratio, double h);
 Softness contact_softness(double h);  // of contacts in substeps of h
+
+// The way from the axis of a cylinder or cone, of length 1, to where it reaches farthest along `out`, if `spoke` was it
+// before: not where that is nearly along the axis or elsewhere, as on a flat end, nor without an axis.
+std::optional<Vec3> rolled(Vec3 spoke, Vec3 axis, Vec3 out);
 
 struct TouchPoint {
   Vec3 arm_a, arm_b;         // from the centres of mass, world, m

@@ -38,6 +38,12 @@ void set(float* to, Vec3 v) {
 }
 Vec3 get(const float* v) { return {v[0], v[1], v[2]}; }
 
+// Corners turn with their body, what is round rolls on.
+void turn_arm(Quat turned, Vec3 hub, Vec3 axis, Vec3 out, Vec3& arm) {
+  const Vec3 spoke = arm - hub;
+  arm = turned * hub + rolled(spoke, turned * axis, out).value_or(spoke);
+}
+
 }  // namespace
 
 bool is_heap(const Island& island) {
@@ -339,8 +345,8 @@ void HeapOf<F>::read_back(const Member& member, double h) {
     point.impulse = lane(row.impulse, member.lane) * force;
     point.sum = lane(row.sum, member.lane);
     point.separation = lane(row.separation, member.lane);
-    if (contact.a->pushable) point.arm_a = record_of(*contact.a).turned * point.arm_a;
-    if (contact.b->pushable) point.arm_b = record_of(*contact.b).turned * point.arm_b;
+    if (contact.a->pushable) turn_arm(record_of(*contact.a).turned, point.hub_a, contact.axis_a, -contact.normal, point.arm_a);
+    if (contact.b->pushable) turn_arm(record_of(*contact.b).turned, point.hub_b, contact.axis_b, contact.normal, point.arm_b);
   }
   const auto grip = [&](F Triple<F>::*of) { return lane(batch.grip.*of, member.lane) * force; };
   contact.grip = {grip(&Triple<F>::x), grip(&Triple<F>::y), grip(&Triple<F>::z) * member.lever};
