@@ -1,5 +1,9 @@
 #include "physics/body.h"
 
+#include <algorithm>
+
+#include "base/text.h"
+
 namespace tumble {
 
 const EnumNames& enum_names(BodyType) {
@@ -68,6 +72,15 @@ void check_letters(const char* field, const std::string& letters) {
     fail(field, " takes the letters x, y and z (got '", letters, "'); leave it empty to lock nothing");
 }
 
+// Whatever has mass somewhere has no moment above the sum of the other two.
+void check_inertia(Vec3 i) {
+  const auto text = [&] { return number_text(i.x) + ", " + number_text(i.y) + ", " + number_text(i.z); };
+  if (!(i.x > 0 && i.y > 0 && i.z > 0)) fail("inertia takes three moments above 0 (got ", text(), "); rotation_factor and lock_rotation keep a body from turning");
+  const double most = std::max({i.x, i.y, i.z});
+  if (2 * most > (i.x + i.y + i.z) * (1 + 1e-9))
+    fail("inertia: no moment can be above the sum of the other two (got ", text(), "); a flat disc has m r^2 / 2 about its axis and m r^2 / 4 across");
+}
+
 }  // namespace
 
 void describe(BodyDef& body, Schema& s) {
@@ -78,6 +91,9 @@ void describe(BodyDef& body, Schema& s) {
   s.add("mass", body.mass, "Mass, kg; 1 where neither mass nor density is given.").above(0);
   s.add("density", body.density, "Instead of a mass, kg/m^3.").above(0);
   s.add("center_of_mass", body.center_of_mass, "In the body's frame, m; by its colliders where it is not given.");
+  s.add("inertia", body.inertia,
+        "Moments of inertia about the body's own axes through its centre of mass, kg m^2; by its colliders where they are not given. "
+        "A thin hollow ball has 2/3 m r^2 about each.");
   describe_motion(body, s);
   describe_surface(body, s);
   s.add("group", body.group, "A name from physics.groups; empty is the default group.");
@@ -90,6 +106,7 @@ void describe(BodyDef& body, Schema& s) {
   s.check<BodyDef>([](const BodyDef& def) {
     check_letters("lock_position", def.lock_position);
     check_letters("lock_rotation", def.lock_rotation);
+    if (def.inertia) check_inertia(*def.inertia);
     if (def.mass && def.density) fail("mass and density are given both; leave one of them out");
   });
 }

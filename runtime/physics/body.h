@@ -43,6 +43,7 @@ struct BodyDef {
   std::optional<double> mass;         // kg; 1 where neither mass nor density is given
   std::optional<double> density;      // kg/m^3
   std::optional<Vec3> center_of_mass; // in the body's frame, m; by the colliders where it is not given
+  std::optional<Vec3> inertia;        // kg m^2, about the body's own axes through its centre of mass; likewise
   Vec3 velocity, angular_velocity;    // world, m/s and rad/s
   std::optional<double> friction, restitution;  // the world's defaults where not given
   std::optional<Combine> friction_combine, restitution_combine;

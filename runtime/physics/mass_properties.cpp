@@ -59,10 +59,7 @@ void set_principal(MassProperties& result, const Eigen::Matrix3d& tensor) {
   result.inertia = {solver.eigenvalues()[0], solver.eigenvalues()[1], solver.eigenvalues()[2]};
 }
 
-}  // namespace
-
-MassProperties mass_properties(const BodyDef& body) {
-  if (body.type != BodyType::dynamic) return {};
+MassProperties by_colliders(const BodyDef& body) {
   const std::vector<Part> parts = massive_parts(body);
   double sum = 0;
   Vec3 center;
@@ -92,6 +89,17 @@ MassProperties mass_properties(const BodyDef& body) {
     tensor += shifted(scale * part.density * part.solid.volume, vector(part.pose * part.solid.center - result.center));
   }
   set_principal(result, tensor);
+  return result;
+}
+
+}  // namespace
+
+MassProperties mass_properties(const BodyDef& body) {
+  if (body.type != BodyType::dynamic) return {};
+  MassProperties result = by_colliders(body);
+  if (!body.inertia) return result;
+  result.inertia = *body.inertia;
+  result.axes = {};
   return result;
 }
 

@@ -60,7 +60,18 @@ NodeRef node(Script&, BodyRef b) { return {b.node}; }
 bool is_asleep(Script& s, BodyRef b) { return is_live(s, b) && world(s).asleep(id(s, b)); }
 Vec3 momentum(Script& s, BodyRef b) { return is_live(s, b) ? world(s).momentum(id(s, b)) : Vec3{}; }
 double kinetic_energy(Script& s, BodyRef b) { return is_live(s, b) ? world(s).kinetic_energy(id(s, b)) : 0; }
-Vec3 inertia(Script& s, BodyRef b) { return is_live(s, b) ? world(s).mass_properties(id(s, b)).inertia : Vec3{}; }
+Vec3 inertia(Script& s, BodyRef b) { return is_live(s, b) ? world(s).mass_properties(id(s, b)).inertia : component(s, b).def.inertia.value_or(Vec3{}); }
+void set_inertia(Script& s, BodyRef b, std::optional<Vec3> moments) {
+  BodyDef def = s.engine().body_def(b.node);
+  assign(type_of<BodyDef>(), &def, Map{{"inertia", moments ? Value(*moments) : Value()}}, "body");
+  s.engine().configure_body(b.node, def, "body.inertia");
+}
+Vec3 center_of_mass(Script& s, BodyRef b) { return is_live(s, b) ? world(s).mass_properties(id(s, b)).center : component(s, b).def.center_of_mass.value_or(Vec3{}); }
+void set_center_of_mass(Script& s, BodyRef b, std::optional<Vec3> place) {
+  BodyDef def = s.engine().body_def(b.node);
+  def.center_of_mass = place;
+  s.engine().configure_body(b.node, def, "body.center_of_mass");
+}
 Vec3 velocity_at(Script& s, BodyRef b, Vec3 point) { return world(s).velocity_at(id(s, b), point); }
 
 void apply_force(Script& s, BodyRef b, Vec3 force, std::optional<Vec3> point) {
@@ -108,7 +119,8 @@ void rows_body(Area& a) {
   a.prop<is_asleep>("is_asleep", "Is it at rest and left out of the simulation until something touches it?");
   a.prop<momentum>("momentum", "Mass times velocity, kg m/s.");
   a.prop<kinetic_energy>("kinetic_energy", "Of its motion and its spin, J.");
-  a.prop<inertia>("inertia", "Principal moments of inertia, kg m^2.");
+  a.prop<inertia, set_inertia>("inertia", "Principal moments of inertia, kg m^2; nil gives them back to the colliders.");
+  a.prop<center_of_mass, set_center_of_mass>("center_of_mass", "In the body's frame, m; nil gives it back to the colliders.");
   a.method<velocity_at>("velocity_at", "The velocity of the body's point at a place in the world, m/s.", "point").queries();
   a.method<apply_force>("apply_force", "Pushes for this tick, N, at the centre of mass or at a point of the world. Give it every tick.", "force", "point").acts();
   a.method<apply_torque>("apply_torque", "Twists for this tick, N m.", "torque").acts();

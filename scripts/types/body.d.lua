@@ -10,11 +10,11 @@
 ---@field is_asleep boolean Is it at rest and left out of the simulation until something touches it?
 ---@field momentum vec3 Mass times velocity, kg m/s.
 ---@field kinetic_energy number Of its motion and its spin, J.
----@field inertia vec3 Principal moments of inertia, kg m^2.
+---@field inertia vec3 Principal moments of inertia, kg m^2; nil gives them back to the colliders.
+---@field center_of_mass vec3 In the body's frame, m; nil gives it back to the colliders.
 ---@field type "dynamic"|"static"|"kinematic" "dynamic" obeys forces, "static" never moves, "kinematic" is moved by you and pushes dynamic ones.
 ---@field fit "mesh"|"node" Where no colliders are given: fitted to the "mesh", or a box of the "node"'s scale.
 ---@field density? number Instead of a mass, kg/m^3.
----@field center_of_mass? vec3 In the body's frame, m; by its colliders where it is not given.
 ---@field damping number 1/s: a free body's speed is v0 exp(-damping t).
 ---@field angular_damping number The same for turning, 1/s.
 ---@field gravity_factor number How much of the world's gravity pulls at it; 0 floats, -1 rises.
@@ -107,6 +107,7 @@ function body:set_angular_velocity(velocity) end
 ---@field mass? number Mass, kg; 1 where neither mass nor density is given.
 ---@field density? number Instead of a mass, kg/m^3.
 ---@field center_of_mass? vec3 In the body's frame, m; by its colliders where it is not given.
+---@field inertia? vec3 Moments of inertia about the body's own axes through its centre of mass, kg m^2; by its colliders where they are not given. A thin hollow ball has 2/3 m r^2 about each.
 ---@field velocity? vec3 Of the centre of mass, world, m/s.
 ---@field angular_velocity? vec3 World, rad/s, right-handed about its direction.
 ---@field damping? number 1/s: a free body's speed is v0 exp(-damping t).

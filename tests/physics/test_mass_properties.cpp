@@ -125,3 +125,16 @@ TEST_CASE("mass: one kilogram where nothing is said, none of a static body", "[p
   CHECK(mass_properties(body(ball(3))).mass == 1);
   CHECK(mass_properties(body(ball(3), BodyType::fixed)).mass == 0);
 }
+
+TEST_CASE("mass: moments that are given stand in for those of the colliders, about the body's own axes", "[physics]") {
+  BodyDef def = body(box({1, 2, 3}));
+  def.mass = 6;
+  def.colliders[0].rotation = axis_angle({0, 0, 1}, 0.4);
+  def.center_of_mass = Vec3{0.1, 0, 0};
+  def.inertia = Vec3{3, 4, 5};
+  const MassProperties got = mass_properties(def);
+  CHECK(got.mass == 6);
+  CHECK(got.inertia == Vec3{3, 4, 5});
+  CHECK(got.axes == Quat{});
+  CHECK(got.center == Vec3{0.1, 0, 0});
+}

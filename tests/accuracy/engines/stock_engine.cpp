@@ -267,6 +267,7 @@ class StockSimulation final : public Simulation {
     if (!body.def.mass && dense) throw Missing{"density in the suite's stock engine"};
     btVector3 inertia(0, 0, 0);
     body.rigid->getCollisionShape()->calculateLocalInertia(mass, inertia);
+    if (body.def.inertia) inertia = to_stock(*body.def.inertia);
     body.rigid->setMassProps(mass, inertia);
     body.rigid->updateInertiaTensor();
   }
@@ -276,6 +277,8 @@ class StockSimulation final : public Simulation {
     btRigidBody& rigid = *body.rigid;
     const BodyDef& def = body.def;
     rigid.setFriction(static_cast<btScalar>(def.friction.value_or(0.5)));
+    rigid.setRollingFriction(static_cast<btScalar>(def.rolling_friction));
+    rigid.setSpinningFriction(static_cast<btScalar>(def.spinning_friction));
     rigid.setRestitution(static_cast<btScalar>(def.restitution.value_or(0)));
     // Bullet's damping d is what is lost in a second: v(t) = v0 (1 - d)^t.
     rigid.setDamping(static_cast<btScalar>(1 - std::exp(-def.damping)), static_cast<btScalar>(1 - std::exp(-def.angular_damping)));

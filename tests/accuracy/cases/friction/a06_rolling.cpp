@@ -18,22 +18,23 @@ struct Wheel {
 };
 
 // It rolls along x; a cylinder lies across.
-Wheel make(Trial& trial, const Shape& shape, Vec3 gravity, double friction, double speed) {
+Wheel make(Trial& trial, const Shape& shape, Vec3 gravity, double friction, double speed, std::optional<Vec3> inertia = {}) {
   Simulation& scene = trial.scene({gravity});
   add_floor(scene);
   BodyDef def = with(dynamic(shape, 1), friction);
   def.velocity = {speed, 0, 0};
+  def.inertia = inertia;
   return {scene, scene.add(def, {{0, kRadius, 0}, axis_angle({1, 0, 0}, kPi / 2)})};
 }
 
 double least_friction(double k) { return k * std::tan(kSlope) / (1 + k); }
 
 // I = k m r^2. With grip a = g sin / (1 + k), and the rim keeps up; without, a = g (sin - mu cos) and the rim lags.
-Outcome roll(Trial& trial, const Shape& shape, double k, double friction) {
+Outcome roll(Trial& trial, const Shape& shape, double k, double friction, std::optional<Vec3> inertia = {}) {
   const bool grips = friction > least_friction(k);
   const double along = kGravity * (grips ? std::sin(kSlope) / (1 + k) : std::sin(kSlope) - friction * std::cos(kSlope));
   const double rim = grips ? along : friction * kGravity * std::cos(kSlope) / k;
-  const Wheel wheel = make(trial, shape, on_slope(kSlope), friction, 0);
+  const Wheel wheel = make(trial, shape, on_slope(kSlope), friction, 0, inertia);
 
   run(wheel.scene, kSeconds, kFrame);
 
@@ -63,7 +64,10 @@ Outcome billiard_way(Trial& trial) {
   return outcome;
 }
 
-Outcome hollow(Trial&) { throw Missing{"bodies with a moment of inertia of their own"}; }
+// All mass at the rim: 2/3 m r^2 of a shell; of a hoop m r^2 about its axis, half across.
+constexpr double kRim = kRadius * kRadius;
+Outcome shell(Trial& trial) { return roll(trial, ball(kRadius), 2.0 / 3, 0.5, Vec3{1, 1, 1} * (kRim * 2 / 3)); }
+Outcome hoop(Trial& trial) { return roll(trial, upright(ShapeKind::cylinder, kRadius, 0.05), 1, 0.5, Vec3{kRim / 2, kRim, kRim / 2}); }
 
 }  // namespace
 
@@ -81,8 +85,8 @@ Case a06_rolling() {
     c.parts.push_back({start + ", 1.1 of least grip", 1e-3, [shape = shape, k = k](Trial& t) { return roll(t, shape, k, 1.1 * least_friction(k)); }});
     c.parts.push_back({start + ", 0.9 of least grip", 1e-3, [shape = shape, k = k](Trial& t) { return roll(t, shape, k, 0.9 * least_friction(k)); }});
   }
-  c.parts.push_back({"thin shell", 1e-3, hollow});
-  c.parts.push_back({"hoop", 1e-3, hollow});
+  c.parts.push_back({"thin shell", 1e-3, shell});
+  c.parts.push_back({"hoop", 1e-3, hoop});
   c.parts.push_back({"billiard, speed", 1e-3, billiard_speed});
   c.parts.push_back({"billiard, way", 1e-3, billiard_way});
   return c;

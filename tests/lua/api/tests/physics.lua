@@ -48,3 +48,22 @@ test("physics: rolling friction can be changed while it rolls", function()
   ball:destroy()
   floor:destroy()
 end)
+
+test("physics: a body tells its centre of mass and its moments, and takes others", function()
+  local hammer = scene.add { position = vec3(0, 50, 0), body = { mass = 3, colliders = {
+    { shape = "box", size = vec3(1, 1, 1) }, { shape = "box", size = vec3(1, 1, 1), offset = vec3(2, 0, 0) } } } }
+  wait(0.05)
+  expect(hammer.body.center_of_mass):near(vec3(1, 0, 0), 1e-12)
+  expect(hammer.body.inertia):near(vec3(0.5, 0.5 + 3, 0.5 + 3), 1e-9)   -- two cubes, m / 6 each, a metre off
+  hammer.body.center_of_mass = vec3.zero
+  expect(hammer.body.center_of_mass):equals(vec3.zero)
+  hammer.body.inertia = vec3(2, 3, 4)
+  expect(hammer.body.inertia):equals(vec3(2, 3, 4))
+  expect(function() hammer.body.inertia = vec3(1, 1, 5) end):raises("above the sum of the other two (got 1, 1, 5)")
+  expect(function() hammer.body.inertia = vec3(0, 1, 1) end):raises("above 0 (got 0, 1, 1)")
+  expect(hammer.body.inertia):equals(vec3(2, 3, 4))
+  hammer.body.inertia = nil
+  hammer.body.center_of_mass = nil
+  expect(hammer.body.inertia):near(vec3(0.5, 3.5, 3.5), 1e-9)
+  hammer:destroy()
+end)
