@@ -84,6 +84,7 @@ struct Reach {
 };
 
 void check_reach(Check& check) {
+  if (check.game.entry != "main.lua") return;  // one file of a folder: what lies beside it is not its own
   Reach reach{check, {}};
   reach.file(check.game.entry);
   reach.file("bot.lua");

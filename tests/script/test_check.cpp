@@ -72,6 +72,12 @@ TEST_CASE("check: a name that nobody defines is told with the nearest", "[script
         "main.lua:2 '.widht': neither the engine nor this game has a 'widht'; did you mean 'width'?\n");
 }
 
+TEST_CASE("check: what tables of the engine hold is known, and one file of a folder has nothing to do with the others", "[script][check]") {
+  CheckedGame game = game_of({{"one.lua", "function update() print(physics.stats().awake, physics.stats().substeps, game.list()[1].about) end\n"}, {"two.lua", "print(1)\n"}});
+  game.entry = "one.lua";
+  CHECK(found_in(game) == "");
+}
+
 TEST_CASE("check: a broken text or file is told and the rest is still looked at", "[script][check]") {
   const std::string found = found_in(game_of({{"main.lua", "local x = = 3\nprint(phyics)\n"}, {"one.json", "{ \"tumble\": 1, "}}));
   CHECK(found.find("main.lua:1 unexpected symbol near '='") != std::string::npos);
