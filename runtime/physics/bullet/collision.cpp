@@ -155,6 +155,7 @@ void Collision::look(double seconds, Vec3 gravity, const std::vector<BodyState*>
   fall_ = length(gravity) * seconds * seconds;
   fit_boxes(carriers);
   overlaps_.tidy();
+  if (overlaps_.left_out()) overlaps_.meet_again(awake_.bodies());
   overlaps_.found.clear();
   // Whoever wakes meanwhile adds his pairs to the ends of the lists.
   std::vector<Overlap*>&bodies = overlaps_.active(Overlap::bodies), &solids = overlaps_.active(Overlap::solids);

@@ -1,5 +1,7 @@
 #include "physics/bullet/overlaps.h"
 
+#include <algorithm>
+
 #include "physics/bullet/joint_part.h"
 
 namespace tumble {
@@ -72,8 +74,21 @@ void Overlaps::meet(Occupant& occupant, const btDbvtVolume* before) {
   });
 }
 
+void Overlaps::meet_missing(Occupant& occupant) {
+  if (!occupant.leaf) return;
+  std::vector<const Occupant*> known;
+  for (const Overlap* overlap : occupant.overlaps) known.push_back(overlap->a == &occupant ? overlap->b : overlap->a);
+  std::sort(known.begin(), known.end());
+  boxes_.each_in(occupant.box(), !occupant.fixed, [&](Occupant& other) {
+    if (!std::binary_search(known.begin(), known.end(), &other) && may_meet(occupant, other)) add(occupant, other);
+  });
+}
+
 void Overlaps::add(Occupant& one, Occupant& other) {
-  if (all_.size() - unused_.size() >= kMost) return;
+  if (count() >= kMost) {
+    left_out_ = true;
+    return;
+  }
   if (unused_.empty()) unused_.push_back(&all_.emplace_back());
   Overlap& overlap = *unused_.back();
   unused_.pop_back();

@@ -27,7 +27,8 @@ struct Overlap {
 class Overlaps {
  public:
   // A pair costs about a kilobyte once it touches, and bodies in one spot make pairs by the square of their number:
-  // beyond this many further pairs pass through each other, rather than take all memory. A pile of 8000 has 100 000.
+  // beyond this many further pairs pass through each other, rather than take all memory, until there is room for them. A
+  // pile of 8000 has 100 000.
   static constexpr std::size_t kMost = 300'000;
 
   explicit Overlaps(btCollisionDispatcher& dispatcher) : dispatcher_(dispatcher) {}
@@ -41,6 +42,14 @@ class Overlaps {
   void leave(Occupant& occupant);
   // Who meets whom is asked again, and what was known of its pairs is forgotten.
   void renew(Occupant& occupant);
+  // Were pairs left out for want of room that there is now? Then all who are awake are to meet_again().
+  bool left_out() const { return left_out_ && count() < kMost / 2; }
+  template <class Bodies>
+  void meet_again(const Bodies& bodies) {
+    left_out_ = false;
+    for (BodyState* body : bodies)
+      for (Occupant* occupant : {&body->solid_box, &body->trigger_box}) meet_missing(*occupant);
+  }
 
   // The body woke, or is to be looked at; or not any more.
   void stir(BodyState& body);
@@ -56,6 +65,8 @@ class Overlaps {
 
  private:
   void meet(Occupant& occupant, const btDbvtVolume* before);
+  void meet_missing(Occupant& occupant);
+  std::size_t count() const { return all_.size() - unused_.size(); }
   void add(Occupant& a, Occupant& b);
   void drop(Overlap& overlap);
   void activate(Overlap& overlap);
@@ -64,6 +75,7 @@ class Overlaps {
   btCollisionDispatcher& dispatcher_;
   Boxes boxes_;
   int triggers_ = 0;           // occupants
+  bool left_out_ = false;
   std::deque<Overlap> all_;
   std::vector<Overlap*> unused_;
   std::vector<Overlap*> active_[3];

@@ -17,6 +17,7 @@ constexpr std::size_t kCrowd = 60;   // contacts from which on fast bodies are n
 // until a stack does not tremble, and many while a blow goes through it.
 constexpr double kQuiet = 1, kLoose = 25;
 constexpr int kFewRounds = 4, kMostRounds = 80;
+constexpr std::size_t kMostSolves = 1'000'000;  // contacts times rounds: a tick is not to take seconds for one blow
 constexpr int kColors = 63;          // and one more for what has neighbours in all of them, a contact to a batch
 
 bool plain(const Mover& mover) {
@@ -269,7 +270,9 @@ bool HeapOf<F>::find_stirred(const Batch<F>& batch, int round, F& lanes) const {
 template <class F>
 void HeapOf<F>::solve_in_rounds(int least, const Aim& aim) {
   std::fill(stirred_.begin(), stirred_.end(), -1);
-  for (int round = 0; round < kMostRounds; ++round) {
+  const auto affordable = static_cast<int>(kMostSolves / members_.size());
+  const int most = std::clamp(affordable, std::max(least, kFewRounds), std::max(least, kMostRounds));
+  for (int round = 0; round < most; ++round) {
     const auto loose = static_cast<float>((round < kFewRounds ? kQuiet : kLoose) / aim.per_second);
     bool any = false;
     for (Batch<F>& batch : batches_) {
