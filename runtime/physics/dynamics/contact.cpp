@@ -146,7 +146,7 @@ void Contact::warm_start() {
   if (!(last_roll == Vec3{})) twist(last_roll / 2);
   if (friction <= 0 || last_grip == Vec3{}) return;
   if (!placed_) place_friction();
-  drag(last_grip / 2);
+  drag(Vec3{last_grip.x, last_grip.y, lever_ > 0 ? last_grip.z : 0} / 2);  // where one point is left, nothing holds a twist
 }
 
 double Contact::solve(double h, const Softness* soft) {

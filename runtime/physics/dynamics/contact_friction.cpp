@@ -87,6 +87,7 @@ void Contact::solve_friction() {
   const double most = friction * pressing();
   if (most <= 0 && grip == Vec3{}) return;
   if (!placed_) place_friction();
+  if (lever_ <= 0 && grip.z != 0) drag({0, 0, -grip.z});  // of the first half, with which one point is left now
   const auto within = [most](Vec3 f) {
     const double size = length(f);
     return size > most ? f * (most / size) : f;
