@@ -295,3 +295,21 @@ TEST_CASE("contacts: what is told of a contact that stays is of the last step", 
 
   CHECK(load() == Approx((9.81 + 20) * kTick).epsilon(1e-3));
 }
+
+TEST_CASE("contacts: a plank that tips over the seam of two triangles does not fall through", "[physics]") {
+  Shape ground;
+  ground.shape = ShapeKind::mesh;
+  const Vec3 a{-10, 0, -10}, b{-10, 0, 10}, c{10, 0, 10}, d{10, 0, -10};
+  ground.points = {a, b, c, a, c, d};
+  BodyDef def = body(box({2, 0.06, 2}));
+  def.mass = 10;
+  for (int i = 0; i < 48; ++i) {
+    INFO("start " << i);
+    const double part = i / 48.0;
+    Scene scene;
+    scene.add(body(ground, BodyType::fixed), {});
+    const BodyId plank = scene.add(def, {0, 5 + 0.1 * part, 0}, axis_angle({1, 0, 0}, 0.1 + 0.9 * part) * axis_angle({0, 0, 1}, 0.2));
+    scene.run(2);
+    CHECK(scene.at(plank).y > 0.02);
+  }
+}

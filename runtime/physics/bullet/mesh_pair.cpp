@@ -16,6 +16,8 @@ namespace {
 constexpr double kOnFace = 1 - 1e-6;
 // Normals within this cosine share a manifold.
 constexpr double kAlike = 0.8;
+// What is deeper than this below a face, over the size, is not above it but behind its edge.
+constexpr double kSunk = 0.01;
 // A point within this of a triangle lies on it, m.
 constexpr double kOnTriangle = 1e-4;
 
@@ -35,6 +37,7 @@ class Collector final : public btTriangleCallback {
     const bool on_face = std::abs(dot(flat, found.normal)) > kOnFace;
     if (on_face) faces_.push_back(triangle);
     for (int i = 0; i < found.count; ++i) (on_face ? touches_ : rims_).push_back({found.points[i], found.normal, part, index});
+    if (!on_face || (found.count == 1 && convex_.kind != pairs::Convex::sphere)) look_at_face(triangle, flat, part, index);
   }
 
   // Of points at edges and corners only those that are on no triangle which is met by its face: edges within a flat, or
@@ -47,6 +50,15 @@ class Collector final : public btTriangleCallback {
   }
 
  private:
+  // What is nearest to an edge may come down on the face before the step is over: a plank that tips over a seam.
+  void look_at_face(const pairs::Convex& triangle, Vec3 flat, int part, int index) {
+    const pairs::Placed convex(convex_, at_), placed(triangle, mesh_);
+    const Vec3 normal = dot(flat, pairs::middle(convex) - placed.world(triangle.corners[0])) < 0 ? -flat : flat;
+    pairs::Manifold below;
+    if (!pairs::clip(convex_, at_, triangle, mesh_, normal, margin_, below)) return;
+    for (int i = 0; i < below.count; ++i)
+      if (below.points[i].separation > -kSunk * pairs::size_of(convex_)) touches_.push_back({below.points[i], normal, part, index});
+  }
   bool holds(const pairs::Convex& triangle, Vec3 point) const {
     const Vec3 p = inverse(mesh_) * point, *c = triangle.corners, flat = normalized(cross(c[1] - c[0], c[2] - c[0]));
     if (std::abs(dot(flat, p - c[0])) > kOnTriangle) return false;
