@@ -73,6 +73,7 @@ void BodyPair::write(const pairs::Manifold& found) {
   if (found.count == 0) {
     contact.count = 0;
     contact.grip = contact.roll = {};
+    contact.lift = 0;
     return;
   }
   TouchPoint old[Contact::kMostPoints];
@@ -95,7 +96,10 @@ void BodyPair::write(const pairs::Manifold& found) {
     point.restitution = surface.restitution;
     point.impulse = 0;
   }
-  if (!alike) return;
+  if (!alike) {
+    contact.lift = 0;
+    return;
+  }
   match_points(count, contact.count, kSamePoint * smaller_extent(a_, b_), [&](int i, int k) { return moved(old[i], contact.points[k]); },
                [&](int i, int k) { contact.points[k].impulse = old[i].impulse; });
 }

@@ -15,7 +15,7 @@ struct PointRow {
   Triple<F> about_a, about_b;
   F mass{};                  // kg, of the point; 0 where a lane has none
   F drive{};                 // m/s, closing, by what moves and cannot be pushed
-  F gap{};                   // m, when the step began
+  F gap{};                   // m, when the step began; less the lift, as what follows
   F separation{};            // m, in this substep
   F impulse{}, sum{};        // N s, in this substep, and in the step
 };

@@ -18,6 +18,12 @@ constexpr double kContactDamping = 10;
 // weight it gives energy, so that among bodies it is done with this much less.
 constexpr double kFastestPush = 1, kLessUpwards = 0.6;
 
+// How fast a contact's spring is moved on to where its bodies just touch, s: by far slower than it gives way itself, so that
+// the two do not swing against each other (20 h / (2 pi 0.25) = 0.05 s at 4 substeps); how fast it is moved back, and given
+// up where nothing presses. Up to how far, and to what is left to touch by, m; and for no deeper overlap than so, since
+// what was put into another is pushed out anyway, and is not to be thrown out.
+constexpr double kRaiseTime = 1, kLowerTime = 0.25, kForgetTime = 0.1, kMostLift = 5e-3, kLeastTouch = 5e-5, kDeepest = 2e-3;
+
 double mobility_along(const Mover& mover, Vec3 linear, Vec3 angular) {
   return dot(scaled(mover.inverse_mass, linear), linear) + dot(mover.inverse_inertia * angular, angular);
 }
@@ -164,12 +170,13 @@ double Contact::solve_normals(double h, const Softness* soft) {
     TouchPoint& point = points[i];
     if (point.mobility <= 0) continue;
     double bias = 0, mass_scale = 1, impulse_scale = 0;
+    const double apart = point.separation - lift;
     // What is still apart after the drift is the next substep's business.
-    if (!soft && ((point.separation > 0 && point.impulse == 0) || hits_next(point))) continue;
-    if (soft && point.separation > 0) {
-      bias = point.separation / h;
+    if (!soft && ((apart > 0 && point.impulse == 0) || hits_next(point))) continue;
+    if (soft && apart > 0) {
+      bias = apart / h;
     } else if (soft) {
-      bias = std::max(soft->rate * point.separation, -fastest_push);
+      bias = std::max(soft->rate * apart, -fastest_push);
       mass_scale = soft->mass_scale;
       impulse_scale = soft->impulse_scale;
     }
@@ -230,6 +237,21 @@ void Contact::end() {
   for (int i = 0; i < count; ++i) {
     TouchPoint& point = points[i];
     point.sum += point.impulse + point.hit;
+  }
+}
+
+// All points alike: to move each on by its own depth would help a tower to sway.
+void Contact::raise(double seconds) {
+  double press = 0, moment = 0;
+  for (int i = 0; i < count; ++i) {
+    press += points[i].impulse;
+    moment += points[i].impulse * points[i].separation;
+  }
+  if (press > 0) {
+    const double deep = std::min(-moment / press, kDeepest) - kLeastTouch;
+    lift = std::clamp(lift + deep * std::min(1.0, seconds / (deep > 0 ? kRaiseTime : kLowerTime)), 0.0, kMostLift);
+  } else {
+    lift *= std::max(0.0, 1 - seconds / kForgetTime);
   }
 }
 

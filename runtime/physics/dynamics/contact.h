@@ -46,6 +46,7 @@ struct Contact {
   Vec3 tangent_1, tangent_2;
   Vec3 belt;                 // velocity of b's surface against a's own, m/s
   double friction = 0;
+  double lift = 0;           // m, see raise()
   int count = 0;
   TouchPoint points[kMostPoints];
   // The axis of a body that is round about one, of length 1; zero of all others. Its rim or side touches where it comes
@@ -94,6 +95,9 @@ struct Contact {
   double solve(double h, const Softness* soft);
   void drifted(double h);
   void end();
+  // After a step, with its forces: what rests does not stay as deep as a soft contact gives way under it. The spring's end
+  // is moved on until it bears the load where the bodies only just touch.
+  void raise(double seconds);
 
   // Where the friction of all points acts: about both bodies, and what twist may hold over what the tangents may, m. By how
   // hard each point presses, or evenly.

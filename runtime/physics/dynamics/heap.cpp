@@ -183,7 +183,7 @@ void HeapOf<F>::fill(Batch<F>& batch, int i, Member& member, double h) {
     set_lane(row.about_b, i, jb.x, jb.y, jb.z);
     const double mobility = lightness + dot(ja, ja) + dot(jb, jb);
     put(row.mass, mobility > 0 ? 1 / mobility : 0);
-    put(row.gap, point.separation);
+    put(row.gap, point.separation - contact.lift);
     put(row.impulse, point.impulse * h);  // between steps a force
     double drive = 0;
     if (!a.pushable) drive -= dot(contact.normal, a.velocity_at(point.arm_a));
@@ -334,11 +334,11 @@ void HeapOf<F>::finish(double seconds, double h) {
     mover.rotation = normalized(record.turned * mover.rotation);
     mover.spin = mover.rotation * unscaled(conjugate(mover.rotation) * momentum, m);
   }
-  for (const Member& member : members_) read_back(member, h);
+  for (const Member& member : members_) read_back(member, seconds, h);
 }
 
 template <class F>
-void HeapOf<F>::read_back(const Member& member, double h) {
+void HeapOf<F>::read_back(const Member& member, double seconds, double h) {
   Contact& contact = *member.contact;
   const Batch<F>& batch = batches_[static_cast<std::size_t>(member.batch)];
   const double force = 1 / h;  // between steps
@@ -347,10 +347,11 @@ void HeapOf<F>::read_back(const Member& member, double h) {
     const PointRow<F>& row = rows_[static_cast<std::size_t>(batch.first + k)];
     point.impulse = lane(row.impulse, member.lane) * force;
     point.sum = lane(row.sum, member.lane);
-    point.separation = lane(row.separation, member.lane);
+    point.separation = lane(row.separation, member.lane) + contact.lift;
     if (contact.a->pushable) turn_arm(record_of(*contact.a).turned, point.hub_a, contact.axis_a, -contact.normal, point.arm_a);
     if (contact.b->pushable) turn_arm(record_of(*contact.b).turned, point.hub_b, contact.axis_b, contact.normal, point.arm_b);
   }
+  contact.raise(seconds);
   const auto grip = [&](F Triple<F>::*of) { return lane(batch.grip.*of, member.lane) * force; };
   contact.grip = {grip(&Triple<F>::x), grip(&Triple<F>::y), grip(&Triple<F>::z) * member.lever};
 }

@@ -52,7 +52,7 @@ class HeapOf {
   bool find_stirred(const Batch<F>& batch, int round, F& lanes) const;
   void solve_in_rounds(int least, const Aim& aim);
   void finish(double seconds, double h);
-  void read_back(const Member& member, double h);
+  void read_back(const Member& member, double seconds, double h);
 
   std::vector<Record> records_;
   std::vector<Drive> drives_;
