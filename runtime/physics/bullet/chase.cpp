@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "physics/bullet/convex_pair.h"
+#include "physics/bullet/same_points.h"
 #include "physics/pairs/hub.h"
 
 namespace tumble {
@@ -12,6 +13,35 @@ namespace {
 // From this part of the smaller one's size on a step's way is far.
 constexpr double kFar = 0.25;
 constexpr double kAhead = 2, kNear = 2e-3;  // of the way in a substep; m
+
+// The points of the look before: what pressed there goes on at the same ones, and is not forgotten of others.
+struct Before {
+  explicit Before(const dynamics::Contact& contact) : count(contact.count), normal(contact.normal), restitution(contact.points[0].restitution) {
+    std::copy(contact.points, contact.points + count, touch);
+  }
+
+  void hand_on(dynamics::Contact& contact, double near) const {
+    bool known[dynamics::Contact::kMostPoints] = {};
+    const auto moved = [&](int i, int k) {
+      return std::min(distance(touch[i].arm_a, contact.points[k].arm_a), distance(touch[i].arm_b, contact.points[k].arm_b));
+    };
+    match_points(count, contact.count, near, moved, [&](int i, int k) {
+      contact.points[k].impulse = touch[i].impulse;
+      contact.points[k].sum = touch[i].sum;
+      known[i] = true;
+    });
+    for (int i = 0; i < count; ++i) {
+      if (known[i] || touch[i].sum <= 0) continue;
+      const double sum = contact.lost.sum + touch[i].sum;
+      contact.lost = {sum, contact.a->position + touch[i].arm_a, contact.b->position + touch[i].arm_b, normal};
+    }
+  }
+
+  int count;
+  Vec3 normal;
+  double restitution;
+  dynamics::TouchPoint touch[dynamics::Contact::kMostPoints];
+};
 
 }  // namespace
 
@@ -57,12 +87,12 @@ void Chase::look(dynamics::Contact& contact, double h) {
   const double speed = length(a.velocity - b.velocity) + whirl(a, pose_a, a_.shape) + whirl(b, pose_b, b_.shape);
   pairs::Manifold found;
   const bool any = pairs::collide(a_.shape, pose_a, b_.shape, pose_b, kAhead * speed * h + kNear, cache_, found);
+  const Before before(contact);
   contact.count = any ? found.count : 0;
-  if (!any) return;
-  contact.set_normal(found.normal);
-  for (int i = 0; i < found.count; ++i) {
-    dynamics::TouchPoint& point = contact.points[i];
-    point.restitution = contact.points[0].restitution;
+  if (any) contact.set_normal(found.normal);
+  for (int i = 0; i < contact.count; ++i) {
+    dynamics::TouchPoint& point = contact.points[i] = {};
+    point.restitution = before.restitution;
     point.arm_a = found.points[i].on_a - a.position;
     point.arm_b = found.points[i].on_b - b.position;
     const pairs::Hub hub_a = pairs::hub_of(a_.shape, pose_a, a.position, point.arm_a), hub_b = pairs::hub_of(b_.shape, pose_b, b.position, point.arm_b);
@@ -74,6 +104,7 @@ void Chase::look(dynamics::Contact& contact, double h) {
     contact.axis_b = hub_b.axis;
     point.separation = found.points[i].separation;
   }
+  before.hand_on(contact, kSamePoint * std::min(pairs::size_of(a_.shape), pairs::size_of(b_.shape)));
 }
 
 }  // namespace tumble

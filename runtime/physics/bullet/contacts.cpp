@@ -63,7 +63,7 @@ struct Found {
   BodyState *a, *b;
   bool trigger = false;
   int count = 0;
-  Point points[4];
+  Point points[dynamics::Contact::kMostPoints + 1];
   bool touches(bool already) const {
     return std::any_of(points, points + count, [&](const Point& point) {
       if (point.distance <= 0) return true;
@@ -81,6 +81,8 @@ void read(const KeptContact& kept, Found& found) {
     found.points[found.count++] = {point.separation, point.sum, kept.a->center.position + point.arm_a, kept.b->center.position + point.arm_b,
                                    kept.contact.normal, collider_a, collider_b};
   }
+  const dynamics::Contact::Lost& lost = kept.contact.lost;
+  if (lost.sum > 0) found.points[found.count++] = {0, lost.sum, lost.on_a, lost.on_b, lost.normal, collider_a, collider_b};
 }
 
 void read(const btPersistentManifold& manifold, Found& found) {

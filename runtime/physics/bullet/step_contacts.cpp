@@ -67,7 +67,7 @@ void write_contact(const Contact& contact, btManifoldPoint* const* points) {
   for (int i = 0; i < Contact::kMostPoints && points[i]; ++i) {
     const TouchPoint& touch = contact.points[i];
     btManifoldPoint& point = *points[i];
-    point.m_appliedImpulse = touch.sum;
+    point.m_appliedImpulse = (i < contact.count ? touch.sum : 0) + (i == 0 ? contact.lost.sum : 0);
     if (i >= contact.count) {  // gone meanwhile; see Chase
       point.m_prevRHS = point.m_appliedImpulseLateral1 = point.m_appliedImpulseLateral2 = 0;
       point.setDistance(kApart);
@@ -110,7 +110,7 @@ void shift_arms(Contact& contact, Vec3 TouchPoint::*arm, Vec3 by) {
 }
 
 bool touches(const Contact& contact, bool already) {
-  return std::any_of(contact.points, contact.points + contact.count, [&](const TouchPoint& point) {
+  return contact.lost.sum > 0 || std::any_of(contact.points, contact.points + contact.count, [&](const TouchPoint& point) {
     return point.separation <= 0 || point.sum > 0 || (already && point.separation <= kStillTouching);
   });
 }
@@ -175,6 +175,7 @@ void StepContacts::take(KeptContact& kept, std::deque<Mover>& movers, double sec
   contact.b = &mover_of(b, movers);
   contact.limit_push();
   contact.belt = belt_between(a, b);
+  contact.lost = {};
   const Pose at_a = a.convex_pose(), at_b = b.convex_pose();
   for (int i = 0; i < contact.count; ++i) {
     TouchPoint& point = contact.points[i];
@@ -186,8 +187,8 @@ void StepContacts::take(KeptContact& kept, std::deque<Mover>& movers, double sec
   if (is_ball(a) && is_ball(b)) {
     contact.radius_a = a.convex.radius;
     contact.radius_b = b.convex.radius;
-    contact.fixed_a = a.center.position;
-    contact.fixed_b = b.center.position;
+    contact.center_a = a.mover ? Vec3{} : a.center.position;
+    contact.center_b = b.mover ? Vec3{} : b.center.position;
   } else if (auto chase = Chase::of({a, -1, 0}, {b, -1, 0}, contact.points[0].separation, seconds)) {
     chases_.push_back({&contact, *chase});
     kept.spoil();
@@ -244,10 +245,14 @@ void StepContacts::add_point(Made& made, btPersistentManifold& manifold, btManif
   Contact& contact = made.contact;
   made.points[contact.count] = &point;
   TouchPoint& touch = contact.points[contact.count++];
-  touch.arm_a = from_bullet(point.getPositionWorldOnA()) - contact.a->position;
-  touch.arm_b = from_bullet(point.getPositionWorldOnB()) - contact.b->position;
-  take_hub(hub_of(*state_of(manifold.getBody0()), point.m_partId0, point.m_index0, touch.arm_a), touch.hub_a, touch.corner_a, contact.axis_a);
-  take_hub(hub_of(*state_of(manifold.getBody1()), point.m_partId1, point.m_index1, touch.arm_b), touch.hub_b, touch.corner_b, contact.axis_b);
+  const BodyState &a = *state_of(manifold.getBody0()), &b = *state_of(manifold.getBody1());
+  const Vec3 center_a = a.center.position, center_b = b.center.position;
+  touch.arm_a = from_bullet(point.getPositionWorldOnA()) - center_a;
+  touch.arm_b = from_bullet(point.getPositionWorldOnB()) - center_b;
+  take_hub(hub_of(a, point.m_partId0, point.m_index0, touch.arm_a), touch.hub_a, touch.corner_a, contact.axis_a);
+  take_hub(hub_of(b, point.m_partId1, point.m_index1, touch.arm_b), touch.hub_b, touch.corner_b, contact.axis_b);
+  for (Vec3* arm : {&touch.arm_a, &touch.hub_a}) *arm += center_a - contact.a->position;  // the mover of what cannot move is elsewhere
+  for (Vec3* arm : {&touch.arm_b, &touch.hub_b}) *arm += center_b - contact.b->position;
   touch.separation = point.getDistance();
   touch.restitution = contact_restitution(manifold, point);
   touch.impulse = point.m_prevRHS;  // a force yet; see run()
@@ -275,6 +280,10 @@ void StepContacts::drop_seams() {
       for (const std::size_t k : ground)
         if (i != k && !dropped[k] && is_seam(*list_[i], *list_[k])) dropped[i] = true;
   if (dropped.empty()) return;
+  std::vector<const Contact*> gone;
+  for (std::size_t i = 0; i < list_.size(); ++i)
+    if (dropped[i]) gone.push_back(list_[i]);
+  std::erase_if(chases_, [&](const Chased& chased) { return std::find(gone.begin(), gone.end(), chased.contact) != gone.end(); });
   std::size_t left = 0;
   for (std::size_t i = 0; i < list_.size(); ++i) {
     if (!dropped[i]) {

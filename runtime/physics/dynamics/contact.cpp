@@ -115,7 +115,7 @@ void Contact::note_mobility() {
 
 // Two balls: from where they are and how they move now, the place where they meet within h, or the nearest now.
 void Contact::meet(double h) {
-  const Vec3 apart = (a->pushable ? a->position : fixed_a) - (b->pushable ? b->position : fixed_b);
+  const Vec3 apart = (a->position + center_a) - (b->position + center_b);
   const Vec3 moving = a->velocity - b->velocity;
   const double reach = radius_a + radius_b, c = dot(apart, apart) - reach * reach, half_b = dot(apart, moving), v2 = dot(moving, moving);
   const double under = half_b * half_b - v2 * c;
@@ -125,8 +125,8 @@ void Contact::meet(double h) {
   if (length(there) > 0) set_normal(normalized(there));
   last_grip = {dot(grip_now, tangent_1), dot(grip_now, tangent_2), 0};
   TouchPoint& point = points[0];
-  point.arm_a = normal * -radius_a;
-  point.arm_b = normal * radius_b;
+  point.arm_a = center_a - normal * radius_a;
+  point.arm_b = center_b + normal * radius_b;
   point.separation = dot(apart, normal) - reach;
   note_mobility();
   placed_ = false;
@@ -143,13 +143,14 @@ void Contact::foresee(double h) {
 }
 
 void Contact::warm_start() {
+  if (count == 0) return;
   for (int i = 0; i < count; ++i) {
     const double part = points[i].last / 2;
     if (part == 0) continue;
     points[i].impulse += part;
     push(points[i], part);
   }
-  if (!(last_roll == Vec3{})) twist(last_roll / 2);
+  if (!(last_roll == Vec3{}) && (rolling > 0 || spinning > 0)) twist(last_roll / 2);
   if (friction <= 0 || last_grip == Vec3{}) return;
   if (!placed_) place_friction();
   drag(Vec3{last_grip.x, last_grip.y, lever_ > 0 ? last_grip.z : 0} / 2);  // where one point is left, nothing holds a twist
@@ -216,7 +217,7 @@ void Contact::drifted(double h) {
   if (!(axis_b == Vec3{})) axis_b += turned_off(b->spin * h, axis_b);
   for (int i = 0; i < count; ++i) {
     TouchPoint& point = points[i];
-    if (a->pushable) carry(*a, axis_a, -normal, point.hub_a, point.arm_a);
+    if (a->pushable || !(a->spin == Vec3{})) carry(*a, axis_a, -normal, point.hub_a, point.arm_a);
     if (b->pushable || !(b->spin == Vec3{})) carry(*b, axis_b, normal, point.hub_b, point.arm_b);
     const Vec3 apart = (a->position + point.arm_a) - (b->position + point.arm_b);
     point.separation = dot(apart, normal);

@@ -58,10 +58,15 @@ struct Contact {
   // and its impulse along both tangents and the normal, N m s.
   double rolling = 0, spinning = 0;
   Vec3 roll, last_roll;
-  // Of two balls about their centres of mass, or about a place that does not move: their normal is taken anew in each
-  // substep, where they meet. 0 of all others.
+  // Of two balls about their centres of mass: their normal is taken anew in each substep, where they meet. 0 of all others.
   double radius_a = 0, radius_b = 0;
-  Vec3 fixed_a, fixed_b;     // of a ball that does not move
+  Vec3 center_a, center_b;   // from the movers' places, m: those of what does not move have only one
+  // What pressed at points that were lost within the step, N s, and where that was, in the world, with the normal.
+  struct Lost {
+    double sum = 0;
+    Vec3 on_a, on_b, normal;
+  };
+  Lost lost;
 
   double fastest_push = 0;   // m/s, see limit_push()
 
