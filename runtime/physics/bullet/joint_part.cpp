@@ -29,6 +29,15 @@ JointFrame JointPart::frame() const {
   return {a ? a->pose() * local_a : local_a, b ? b->pose() * local_b : local_b, center(a), center(b)};
 }
 
+std::vector<bool> locks_of(const JointPart& joint) {
+  std::vector<bool> locks;
+  for (const FreeRow& free : rows_now(joint).free) {
+    const Freedom& freedom = free.freedom;
+    locks.push_back(freedom.min && freedom.max && *freedom.min == *freedom.max);
+  }
+  return locks;
+}
+
 void note_drives(JointPart& joint) {
   joint.has_motor = false;
   for (const FreeRow& free : rows_now(joint).free) joint.has_motor |= free.freedom.motor && free.freedom.motor->speed.value_or(0) != 0;

@@ -25,6 +25,8 @@ struct JointPart {
   bool awake() const { return (a && a->active) || (b && b->active); }
 };
 
+// Which of its freedoms have one place only; the rest of what the solver knows of it holds as long as these stay.
+std::vector<bool> locks_of(const JointPart& joint);
 // After it was made, or a change of the description: does its motor run?
 void note_drives(JointPart& joint);
 JointState state_of(const JointPart& joint);

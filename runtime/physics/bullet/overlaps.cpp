@@ -66,6 +66,18 @@ void Overlaps::renew(Occupant& occupant) {
   meet(occupant, nullptr);
 }
 
+void Overlaps::renew(BodyState& a, BodyState& b) {
+  for (Occupant* one : {&a.solid_box, &a.trigger_box}) {
+    if (!one->leaf) continue;
+    for (std::size_t i = one->overlaps.size(); i-- > 0;) {
+      Overlap& overlap = *one->overlaps[i];
+      if ((overlap.a == one ? overlap.b : overlap.a)->body == &b) drop(overlap);
+    }
+    for (Occupant* other : {&b.solid_box, &b.trigger_box})
+      if (other->leaf && Intersect(one->box(), other->box()) && may_meet(*one, *other)) add(*one, *other);
+  }
+}
+
 // Whose box it meets now, and did not meet before.
 void Overlaps::meet(Occupant& occupant, const btDbvtVolume* before) {
   boxes_.each_in(occupant.box(), !occupant.fixed, [&](Occupant& other) {
@@ -86,7 +98,7 @@ void Overlaps::meet_missing(Occupant& occupant) {
 
 void Overlaps::add(Occupant& one, Occupant& other) {
   if (count() >= kMost) {
-    left_out_ = true;
+    left_out_ = lacking_ = true;
     return;
   }
   if (unused_.empty()) unused_.push_back(&all_.emplace_back());
@@ -140,9 +152,11 @@ void Overlaps::deactivate(Overlap& overlap) {
 }
 
 void Overlaps::stir(BodyState& body) {
-  for (Occupant* occupant : {&body.solid_box, &body.trigger_box})
-    if (is_active(*occupant))
-      for (Overlap* overlap : occupant->overlaps) activate(*overlap);
+  for (Occupant* occupant : {&body.solid_box, &body.trigger_box}) {
+    if (!is_active(*occupant)) continue;
+    if (lacking_) meet_missing(*occupant);  // it may have slept while there was room again
+    for (Overlap* overlap : occupant->overlaps) activate(*overlap);
+  }
 }
 
 void Overlaps::settle(BodyState& body) {

@@ -42,6 +42,7 @@ class Overlaps {
   void leave(Occupant& occupant);
   // Who meets whom is asked again, and what was known of its pairs is forgotten.
   void renew(Occupant& occupant);
+  void renew(BodyState& a, BodyState& b);  // of these two alone
   // Were pairs left out for want of room that there is now? Then all who are awake are to meet_again().
   bool left_out() const { return left_out_ && count() < kMost / 2; }
   template <class Bodies>
@@ -75,7 +76,7 @@ class Overlaps {
   btCollisionDispatcher& dispatcher_;
   Boxes boxes_;
   int triggers_ = 0;           // occupants
-  bool left_out_ = false;
+  bool left_out_ = false, lacking_ = false;  // now; ever
   std::deque<Overlap> all_;
   std::vector<Overlap*> unused_;
   std::vector<Overlap*> active_[3];

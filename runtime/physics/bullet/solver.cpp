@@ -52,33 +52,29 @@ void Solver::gather_bodies(const WorldSettings& settings, const std::vector<Body
 
 // ---- joints
 
+// Joints that share bodies, over any number of others; in the order of their first ones.
 void Solver::find_mechanisms(const std::vector<JointPart*>& live) {
-  mechanisms_.clear();
-  std::map<const BodyState*, std::size_t> group_of;  // looked up, never walked through
-  std::vector<std::vector<JointPart*>>& groups = groups_;
-  groups.clear();
-  for (JointPart* joint : live) {
-    std::size_t group = groups.size();
-    groups.push_back({joint});
-    for (const BodyState* body : {joint->a, joint->b}) {
+  std::map<const BodyState*, std::size_t> joint_at;  // looked up, never walked through
+  std::vector<std::size_t> parent(live.size());      // the root of a set is its smallest
+  const auto root = [&](std::size_t i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  for (std::size_t i = 0; i < live.size(); ++i) {
+    parent[i] = i;
+    for (const BodyState* body : {live[i]->a, live[i]->b}) {
       if (!body || !body->dynamic()) continue;
-      const auto [at, fresh] = group_of.emplace(body, group);
-      if (fresh || at->second == group) continue;
-      const std::size_t kept = std::min(group, at->second), gone = std::max(group, at->second);
-      groups[kept].insert(groups[kept].end(), groups[gone].begin(), groups[gone].end());
-      groups[gone].clear();
-      for (auto& [other, number] : group_of)
-        if (number == gone) number = kept;
-      group = kept;
+      const auto [at, fresh] = joint_at.emplace(body, i);
+      if (fresh) continue;
+      const std::size_t x = root(i), y = root(at->second);
+      parent[std::max(x, y)] = std::min(x, y);
     }
   }
-  std::erase_if(groups, [](const std::vector<JointPart*>& group) { return group.empty(); });
-  for (std::vector<JointPart*>& group : groups) {
-    std::sort(group.begin(), group.end(), [](const JointPart* x, const JointPart* y) { return x->serial < y->serial; });
-    std::vector<dynamics::Link*> links;
-    for (JointPart* joint : group) links.push_back(&joint->link);
-    mechanisms_.push_back(std::make_unique<Mechanism>(links));
-  }
+  std::vector<std::vector<dynamics::Link*>> groups(live.size());
+  for (std::size_t i = 0; i < live.size(); ++i) groups[root(i)].push_back(&live[i]->link);
+  mechanisms_.clear();
+  for (const auto& links : groups)
+    if (!links.empty()) mechanisms_.push_back(std::make_unique<Mechanism>(links));
   mechanisms_known_ = true;
 }
 

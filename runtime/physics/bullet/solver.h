@@ -40,8 +40,7 @@ class Solver {
   std::deque<dynamics::Mover> movers_;
   std::vector<BodyState*> bodies_;        // of each mover but the first, which is all that cannot move
   StepContacts contacts_;
-  std::vector<std::vector<JointPart*>> groups_;  // that share bodies; a mechanism each
-  std::vector<std::unique_ptr<dynamics::Mechanism>> mechanisms_;
+  std::vector<std::unique_ptr<dynamics::Mechanism>> mechanisms_;  // of the joints that share bodies
   std::vector<dynamics::Mechanism*> awake_;
   std::vector<dynamics::Island> islands_;
   std::map<int, std::unique_ptr<dynamics::Heap>> heaps_;  // by their number of substeps

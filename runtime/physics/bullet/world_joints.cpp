@@ -71,20 +71,20 @@ void World::configure(JointId id, const JointDef& def) {
   if (!(def.a == joint.def.a) || !(def.b == joint.def.b))
     fail("joint.", joint_kind_name(def.kind), ": a and b cannot be changed; destroy the joint and make a new one");
   const bool moved = !(def.anchor == joint.def.anchor) || !(joint_frame(def) == joint_frame(joint.def)) || def.kind.index() != joint.def.kind.index();
+  const std::size_t kind = joint.def.kind.index();
+  const std::vector<bool> before = locks_of(joint);
   const bool filter = def.collide_connected != joint.def.collide_connected;
   joint.def = def;
-  world.solver.joints_changed();
+  if (def.kind.index() != kind || locks_of(joint) != before) world.solver.joints_changed();  // else its mechanism goes on, with what it knows
   if (moved) {
     place(joint);
     joint.link.positions.clear();
   }
   world.update_live(joint);
   note_drives(joint);
-  for (BodyState* body : {joint.a, joint.b}) {
-    if (!body) continue;
-    if (filter) world.refresh_pairs(*body);
-    world.wake(*body);
-  }
+  for (BodyState* body : {joint.a, joint.b})
+    if (body) world.wake(*body);
+  if (filter && joint.a && joint.b) world.overlaps.renew(*joint.a, *joint.b);
 }
 
 // Does it hold now? Its partners collide again where it does not.
@@ -103,11 +103,9 @@ void World::Impl::update_live(JointPart& joint) {
     std::erase(live, &joint);
     joint.force = joint.torque = {};
   }
-  for (BodyState* body : {joint.a, joint.b}) {
-    if (!body) continue;
-    wake(*body);
-    if (!joint.def.collide_connected && joint.a && joint.b) refresh_pairs(*body);
-  }
+  for (BodyState* body : {joint.a, joint.b})
+    if (body) wake(*body);
+  if (!joint.def.collide_connected && joint.a && joint.b) overlaps.renew(*joint.a, *joint.b);
 }
 
 void World::Impl::remove_joint(JointPart& joint) {
