@@ -121,7 +121,10 @@ void build(BodyState& body, const Pose& pose) {
   body.convex_at = body.is_convex ? from_bullet(pieces[0].local) : Pose{};
   btVector3 low, high;
   body.rigid->getCollisionShape()->getAabb(btTransform::getIdentity(), low, high);
-  body.extent = std::max(low.length(), high.length());
+  low = low.absolute();
+  high = high.absolute();
+  high.setMax(low);
+  body.extent = high.length();
 }
 
 }  // namespace tumble

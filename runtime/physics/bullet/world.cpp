@@ -218,9 +218,11 @@ void World::configure(BodyId id, const BodyDef& def) {
   world.rebuild(body, pose);
 }
 
-// What is known of contacts has their friction, and who meets whom is asked only where boxes meet anew.
+// What is known of contacts has their friction, and who meets whom is asked only where boxes meet anew. What sleeps on it
+// may have nothing to lie on now.
 void World::Impl::refresh_pairs(BodyState& body) {
   if (!body.enabled) return;
+  for (Pair* pair : body.pairs) wake(pair->a == &body ? *pair->b : *pair->a);
   body.boxed = {};
   collision.fit(body);
   overlaps.renew(body.solid_box);

@@ -58,7 +58,7 @@ void World::set_angular_velocity(BodyId id, Vec3 velocity) {
 
 void World::apply_force(BodyId id, Vec3 force) {
   BodyState& body = impl_->body(id);
-  if (!body.dynamic()) return;
+  if (!body.dynamic() || !body.enabled) return;
   body.force += force;
   impl_->wake(body);
 }
@@ -70,7 +70,7 @@ void World::apply_force(BodyId id, Vec3 force, Vec3 point) {
 
 void World::apply_torque(BodyId id, Vec3 torque) {
   BodyState& body = impl_->body(id);
-  if (!body.dynamic()) return;
+  if (!body.dynamic() || !body.enabled) return;
   body.torque += torque;
   impl_->wake(body);
 }

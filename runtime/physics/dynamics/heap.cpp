@@ -16,6 +16,7 @@ constexpr std::size_t kCrowd = 60;   // contacts from which on fast bodies are n
 // Rounds go on, where it still runs, while speeds change by more than so many m/s for each second of a substep: a few rounds
 // until a stack does not tremble, and many while a blow goes through it.
 constexpr double kQuiet = 1, kLoose = 25;
+constexpr double kLeastKept = 1e-30;  // of a velocity, in a substep
 constexpr int kFewRounds = 4, kMostRounds = 80;
 constexpr std::size_t kMostSolves = 1'000'000;  // contacts times rounds: a tick is not to take seconds for one blow
 constexpr int kColors = 63;          // and one more for what has neighbours in all of them, a contact to a batch
@@ -82,7 +83,9 @@ void HeapOf<F>::set_drive(std::size_t i, double h) {
   set(drive.kept, f.kept, turning.kept);
   set(drive.gained.along, pull * f.gained);
   set(drive.gained.about, twist * turning.gained);
-  const double along = f.mean_kept / f.kept, about = turning.mean_kept / turning.kept;
+  // Where damping leaves nothing of a velocity, nothing can be said of the mean by it.
+  const auto part = [](const Flight& flight) { return flight.kept > kLeastKept ? flight.mean_kept / flight.kept : 0; };
+  const double along = part(f), about = part(turning);
   set(drive.mean_kept, along, about);
   set(drive.mean_gained.along, pull * (f.mean_gained - f.gained * along));
   set(drive.mean_gained.about, twist * (turning.mean_gained - turning.gained * about));
