@@ -34,6 +34,7 @@ struct WorldSettings {
   Combine friction_combine = Combine::multiply;      // as Bullet; see docs/guide/meanings.md
   Combine restitution_combine = Combine::max;        // the livelier surface decides
   std::vector<std::string> groups;    // at most 31 names beside the default group
+  int threads = 2;                    // of a step, at most: nothing but its time depends on them
   int least_substeps() const;
 };
 void describe(WorldSettings& settings, Schema& s);

@@ -25,6 +25,7 @@ void describe(WorldSettings& settings, Schema& s) {
   s.add("default_restitution", settings.default_restitution, "Of a body that gives none.").at_least(0);
   s.add("friction_combine", settings.friction_combine, "How the frictions of two bodies become one.");
   s.add("restitution_combine", settings.restitution_combine, "The same for restitution.");
+  s.add("threads", settings.threads, "That a step may use, at most. Nothing but the time depends on them.").between(1, 16);
   s.add("groups", settings.groups, "Names of collision groups, at most 31.");
   s.check<WorldSettings>([](const WorldSettings& value) {
     if (value.groups.size() > 31) fail("groups holds ", value.groups.size(), " names; 31 at most, join some of them");

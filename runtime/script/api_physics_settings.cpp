@@ -34,6 +34,11 @@ void set_iterations(Script& s, int n) {
   if (n < 1 || n > 1000) fail("physics.iterations: 1 to 1000 expected, got ", n);
   change_settings(s, [&](WorldSettings& w) { w.iterations = n; });
 }
+int threads(Script& s) { return s.settings().physics.threads; }
+void set_threads(Script& s, int n) {
+  if (n < 1 || n > 16) fail("physics.threads: 1 to 16 expected, got ", n);
+  change_settings(s, [&](WorldSettings& w) { w.threads = n; });
+}
 double default_friction(Script& s) { return s.settings().physics.default_friction; }
 void set_default_friction(Script& s, double v) {
   if (v < 0) fail("physics.default_friction: 0 or more expected, got ", number_text(v));
@@ -63,6 +68,7 @@ void rows_physics_settings(Area& a) {
   a.prop<profile, set_profile>("profile", "What accuracy may cost: \"fast\", \"balanced\" or \"exact\" take 2, 4 or 16 substeps at least.");
   a.prop<substeps, set_substeps>("substeps", "How many small steps make a tick, at least, in place of the profile's; nil: as the profile says.");
   a.prop<iterations, set_iterations>("iterations", "How often, at least, the solver goes over the contacts in each half of a substep; a blow takes more.");
+  a.prop<threads, set_threads>("threads", "How many threads a tick's physics may use, at most; more than the machine has are not taken. Nothing but its time depends on it.");
   a.prop<default_friction, set_default_friction>("default_friction", "Friction of a body that gives none.");
   a.prop<default_restitution, set_default_restitution>("default_restitution", "Restitution of a body that gives none.");
   a.prop<debug_view, set_debug_view>("debug_view", "What F3 steps through: none, colliders, joints, boxes, contacts, rays, velocities, names, or physics: all but boxes and names.");

@@ -33,6 +33,7 @@ struct Knobs {
 struct SceneSettings {
   Vec3 gravity{0, -9.81, 0};
   bool sleeping = false;
+  int threads = 1;           // costs are told of one thread
 };
 
 // A joint whose partners are bodies of the scene; `def.a` and `def.b` are not read.

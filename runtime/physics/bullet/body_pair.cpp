@@ -38,7 +38,7 @@ BodyPair::~BodyPair() {
   found_.pop_back();
 }
 
-void BodyPair::tell() {
+void BodyPair::add_to_found() {
   kept_->index = found_.size();
   found_.push_back(kept_.get());
 }

@@ -31,12 +31,15 @@ class BodyPair {
   BodyPair(const BodyPair&) = delete;
   BodyPair& operator=(const BodyPair&) = delete;
 
-  // What may touch within a step in which gravity alone takes a body so far (m); is there anything? `margin` is asked for
-  // only where the last look does not hold any more.
+  // What may touch within a step in which gravity alone takes a body so far (m). `margin` is asked for only where the last
+  // look does not hold any more. Looks of different pairs do not depend on each other.
   template <class Margin>
-  bool look(double fall, const Margin& margin) {
+  void look(double fall, const Margin& margin) {
     if (!still_holds(fall)) look_anew(margin());
-    if (near_) tell();
+  }
+  // After a look: is there anything? Then it is told.
+  bool tell() {
+    if (near_) add_to_found();
     return near_;
   }
   void spoil() { margin_ = -1; }
@@ -46,7 +49,7 @@ class BodyPair {
   bool still_holds(double fall) const;
   void look_anew(double margin);
   void write(const pairs::Manifold& found);
-  void tell();
+  void add_to_found();
 
   BodyState &a_, &b_;
   std::vector<KeptContact*>& found_;

@@ -139,18 +139,19 @@ void Collision::wake_by(Overlap& overlap) {
   if (wakes(b, a) && any_near(overlap)) awake_.wake(a);
 }
 
+void Collision::look_at_bodies(Overlap& overlap) const {
+  overlap.pair->look(fall_, [&] { return margin_of(*overlap.a->body, *overlap.b->body); });
+}
+
 void Collision::look_at(Overlap& overlap) {
   BodyState &a = *overlap.a->body, &b = *overlap.b->body;
-  if (overlap.kind == Overlap::bodies) {
-    if (overlap.pair->look(fall_, [&] { return margin_of(a, b); })) wake_by(overlap);
-    return;
-  }
   dispatcher_.margin = margin_of(a, b);
   process(overlap, dispatcher_, info_, now(*overlap.a), now(*overlap.b));
   wake_by(overlap);
 }
 
-void Collision::look(double seconds, Vec3 gravity, const std::vector<BodyState*>& carriers) {
+void Collision::look(double seconds, Vec3 gravity, const std::vector<BodyState*>& carriers, Team& team) {
+  constexpr std::size_t kPairs = 64;  // that are worth handing to another thread
   seconds_ = seconds;
   fall_ = length(gravity) * seconds * seconds;
   fit_boxes(carriers);
@@ -159,7 +160,16 @@ void Collision::look(double seconds, Vec3 gravity, const std::vector<BodyState*>
   overlaps_.found.clear();
   // Whoever wakes meanwhile adds his pairs to the ends of the lists.
   std::vector<Overlap*>&bodies = overlaps_.active(Overlap::bodies), &solids = overlaps_.active(Overlap::solids);
-  for (std::size_t i = 0, k = 0; i < bodies.size() || k < solids.size();) look_at(i < bodies.size() ? *bodies[i++] : *solids[k++]);
+  for (std::size_t i = 0, k = 0, looked_at = 0; i < bodies.size() || k < solids.size();) {
+    if (looked_at < bodies.size()) {
+      team.each(bodies.size() - looked_at, kPairs, [&, first = looked_at](std::size_t from, std::size_t to) {
+        for (std::size_t at = first + from; at < first + to; ++at) look_at_bodies(*bodies[at]);
+      });
+      looked_at = bodies.size();
+    }
+    if (i == bodies.size()) look_at(*solids[k++]);
+    else if (Overlap& overlap = *bodies[i++]; overlap.pair->tell()) wake_by(overlap);
+  }
   awake_.sort();
 }
 

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/team.h"
 #include "physics/bullet/awake.h"
 
 namespace tumble {
@@ -21,7 +22,7 @@ class Collision {
   Collision(PairDispatcher& dispatcher, Overlaps& overlaps, Awake& awake) : dispatcher_(dispatcher), overlaps_(overlaps), awake_(awake) {}
 
   // What may touch within the next `seconds`, of what is awake or was moved; wakes what that meets.
-  void look(double seconds, Vec3 gravity, const std::vector<BodyState*>& carriers);
+  void look(double seconds, Vec3 gravity, const std::vector<BodyState*>& carriers, Team& team);
   // What is in triggers where everything is now.
   void look_into_triggers(const std::vector<BodyState*>& carriers);
   // Boxes as far as bodies go in a step like the last one, so that queries find everything where it is now.
@@ -46,6 +47,7 @@ class Collision {
   void fit(Occupant& occupant, const btVector3& way, double around);
   double margin_of(const BodyState& a, const BodyState& b) const;
   void look_at(Overlap& overlap);
+  void look_at_bodies(Overlap& overlap) const;
   bool comes_to(const BodyState& a, const BodyState& b, Vec3 normal, double separation) const;
   void wake_by(Overlap& overlap);
   void look_into(Overlap& overlap);

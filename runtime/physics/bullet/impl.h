@@ -40,6 +40,7 @@ struct World::Impl {
   std::vector<BodyId> moved;
   ContactBook book;
   Events events;
+  std::unique_ptr<Team> team;         // as many as the settings say
   double step_ms = 0;
 
   BodyState& body(BodyId id) { return *bodies[id].state; }

@@ -119,11 +119,13 @@ void Solver::begin(const WorldSettings& settings, const std::vector<BodyState*>&
   });
 }
 
-void Solver::run(double seconds, int least, int rounds) {
+void Solver::run(double seconds, int least, int rounds, Team& team) {
+  constexpr std::size_t kIslands = 8;  // that are worth handing to another thread
   most_substeps_ = 0;
+  small_.clear();
   for (dynamics::Island& island : islands_) {
     if (!dynamics::is_heap(island)) {
-      most_substeps_ = std::max(most_substeps_, dynamics::run(island, seconds, least, rounds));
+      small_.push_back(&island);
       continue;
     }
     const int count = dynamics::substeps_of(island, seconds, least);
@@ -131,9 +133,13 @@ void Solver::run(double seconds, int least, int rounds) {
     if (!heaps_[count]) heaps_[count] = std::make_unique<dynamics::Heap>();
     heaps_[count]->add(island);
   }
-  for (auto& [count, heap] : heaps_) heap->run(seconds, count, rounds);
+  substeps_.assign(small_.size(), 0);
+  team.each(small_.size(), kIslands, [&](std::size_t from, std::size_t to) {
+    for (std::size_t i = from; i < to; ++i) substeps_[i] = dynamics::run(*small_[i], seconds, least, rounds);
+  });
+  for (const int count : substeps_) most_substeps_ = std::max(most_substeps_, count);
+  for (auto& [count, heap] : heaps_) heap->run(seconds, count, rounds, team);
 }
-
 
 // ---- back
 

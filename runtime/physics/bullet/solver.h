@@ -23,8 +23,8 @@ class Solver {
   // After collision detection. `live` are the joints that hold.
   void begin(const WorldSettings& settings, const std::vector<BodyState*>& awake, const std::vector<BodyState*>& carriers,
              const std::vector<JointPart*>& live, Collision& collision, double seconds);
-  // Each island with as many substeps as it needs, `least` and more.
-  void run(double seconds, int least, int rounds);
+  // Each island with as many substeps as it needs, `least` and more; the team shares them, and the large ones' contacts.
+  void run(double seconds, int least, int rounds, Team& team);
   void end(double seconds);
   // How many islands the last step had; BodyState::island is one of them.
   int islands() const { return static_cast<int>(islands_.size()); }
@@ -43,6 +43,8 @@ class Solver {
   std::vector<std::unique_ptr<dynamics::Mechanism>> mechanisms_;  // of the joints that share bodies
   std::vector<dynamics::Mechanism*> awake_;
   std::vector<dynamics::Island> islands_;
+  std::vector<dynamics::Island*> small_;  // that are not in a heap
+  std::vector<int> substeps_;             // of each of those
   std::map<int, std::unique_ptr<dynamics::Heap>> heaps_;  // by their number of substeps
   bool mechanisms_known_ = false;
   int most_substeps_ = 0;

@@ -30,6 +30,7 @@ World::Impl::~Impl() {
 }
 
 void World::Impl::apply_settings() {
+  if (!team || team->asked_for() != settings.threads) team = std::make_unique<Team>(settings.threads);
   materials = {settings.default_friction, settings.default_restitution, settings.friction_combine, settings.restitution_combine};
 }
 

@@ -70,9 +70,9 @@ void World::Impl::step(double seconds) {
     for (BodyState* body : carriers) body->path.ramp = {0, 0, 0};
   const double part = seconds / passes;
   for (int pass = 0; pass < passes; ++pass) {
-    collision.look(part, settings.gravity, carriers);
+    collision.look(part, settings.gravity, carriers, *team);
     solver.begin(settings, awake.bodies(), carriers, live, collision, part);
-    solver.run(part, settings.least_substeps(), std::max(1, settings.iterations));
+    solver.run(part, settings.least_substeps(), std::max(1, settings.iterations), *team);
     solver.end(part);
   }
   end_step(seconds);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <bit>
 #include <cstdint>
 
@@ -19,6 +20,7 @@ constexpr double kQuiet = 1, kLoose = 25;
 constexpr double kLeastKept = 1e-30;  // of a velocity, in a substep
 constexpr int kFewRounds = 4, kMostRounds = 80;
 constexpr std::size_t kMostSolves = 1'000'000;  // contacts times rounds: a tick is not to take seconds for one blow
+constexpr std::size_t kBodies = 128, kBatches = 24;  // that are worth handing to another thread
 constexpr int kColors = 63;          // and one more for what has neighbours in all of them, a contact to a batch
 
 bool plain(const Mover& mover) {
@@ -53,6 +55,34 @@ bool is_heap(const Island& island) {
   if (!island.looks.empty() && island.contacts.size() < kCrowd) return false;
   if (std::any_of(island.contacts.begin(), island.contacts.end(), [](const Contact* contact) { return contact->rolling > 0 || contact->spinning > 0; })) return false;
   return std::all_of(island.movers.begin(), island.movers.end(), [](const Mover* mover) { return plain(*mover); });
+}
+
+template <class F>
+template <class Each>
+void HeapOf<F>::each_body(Team& team, const Each& each) {
+  team.each(records_.size() - 1, kBodies, [&](std::size_t from, std::size_t to) {
+    for (std::size_t i = from; i < to; ++i) each(i + 1);
+  });
+}
+
+template <class F>
+template <class Each>
+void HeapOf<F>::each_batch(Team& team, const Each& each) {
+  team.each(batches_.size(), kBatches, [&](std::size_t from, std::size_t to) {
+    for (std::size_t i = from; i < to; ++i) each(i);
+  });
+}
+
+// Batches of a color share no body, colors come one after another; in the last one, each batch does for itself.
+template <class F>
+template <class Each>
+void HeapOf<F>::each_by_color(Team& team, const Each& each) {
+  for (std::size_t color = 0; color + 1 < colors_.size(); ++color) {
+    const std::size_t first = colors_[color], count = colors_[color + 1] - first;
+    team.each(count, color == kColors ? count : kBatches, [&](std::size_t from, std::size_t to) {
+      for (std::size_t i = first + from; i < first + to; ++i) each(batches_[i]);
+    });
+  }
 }
 
 template <class F>
@@ -92,7 +122,7 @@ void HeapOf<F>::set_drive(std::size_t i, double h) {
 }
 
 template <class F>
-void HeapOf<F>::set_up(double h) {
+void HeapOf<F>::set_up(double h, Team& team) {
   const std::size_t count = records_.size();
   drives_.assign(count, {});
   velocities_.assign(count, {});
@@ -100,17 +130,19 @@ void HeapOf<F>::set_up(double h) {
   held_.assign(count, {});
   stirred_.assign(count, -1);
   ways_.assign(count, {});
-  for (std::size_t i = 1; i < count; ++i) {
+  each_body(team, [&](std::size_t i) {
     const Record& record = records_[i];
     const Mover& mover = *record.mover;
     set_drive(i, h);
     set(velocities_[i].along, mover.velocity / record.root_mass);
     const Vec3 own = conjugate(mover.rotation) * mover.spin, m = mover.inertia;
     set(velocities_[i].about, {own.x * std::sqrt(m.x), own.y * std::sqrt(m.y), own.z * std::sqrt(m.z)});
-  }
+  });
   color();
   make_batches();
-  for (Member& member : members_) fill(batches_[static_cast<std::size_t>(member.batch)], member.lane, member, h);
+  each_batch(team, [&](std::size_t i) {
+    for (std::size_t m = members_of_[i]; m < members_of_[i + 1]; ++m) fill(batches_[i], members_[m].lane, members_[m], h);
+  });
 }
 
 // Each contact takes the first color that neither of its bodies has yet.
@@ -144,10 +176,13 @@ template <class F>
 void HeapOf<F>::make_batches() {
   sort_members();
   batches_.clear();
+  colors_.clear();
+  members_of_.clear();
   int rows = 0, used = 0, color = -1;
   for (Member& member : members_) {
     if (member.color != color || used == kLanes<F> || color == kColors) {
-      color = member.color;
+      while (color < member.color) colors_.push_back(batches_.size()), ++color;
+      members_of_.push_back(static_cast<std::size_t>(&member - members_.data()));
       used = 0;
       batches_.push_back({});
       batches_.back().first = rows;
@@ -157,6 +192,8 @@ void HeapOf<F>::make_batches() {
     member.batch = static_cast<int>(batches_.size()) - 1;
     member.lane = used++;
   }
+  colors_.push_back(batches_.size());
+  members_of_.push_back(members_.size());
   rows_.assign(static_cast<std::size_t>(rows), {});
 }
 
@@ -234,27 +271,29 @@ void HeapOf<F>::fill_friction(Batch<F>& batch, int i, Member& member, double h) 
 }
 
 template <class F>
-void HeapOf<F>::kick() {
-  for (std::size_t i = 1; i < records_.size(); ++i) {
-    const Drive& drive = drives_[i];
-    Motion &v = velocities_[i], &free = free_[i];
-    four(free.along) = four(v.along) * four(drive.kept.along) + four(drive.gained.along);
-    four(free.about) = four(v.about) * four(drive.kept.about) + four(drive.gained.about);
-    four(v.along) = four(free.along) + four(held_[i].along);
-    four(v.about) = four(free.about) + four(held_[i].about);
-  }
+void HeapOf<F>::kick(std::size_t i) {
+  const Drive& drive = drives_[i];
+  Motion &v = velocities_[i], &free = free_[i];
+  four(free.along) = four(v.along) * four(drive.kept.along) + four(drive.gained.along);
+  four(free.about) = four(v.about) * four(drive.kept.about) + four(drive.gained.about);
+  four(v.along) = four(free.along) + four(held_[i].along);
+  four(v.about) = four(free.about) + four(held_[i].about);
 }
 
 // With the velocity at the end, which is the one that contacts were solved for. What nothing touches flies with the mean.
 template <class F>
-void HeapOf<F>::drift(float h) {
-  for (std::size_t i = 1; i < records_.size(); ++i) {
-    const Motion &v = velocities_[i], &free = free_[i];
-    const bool touched = !std::equal(v.along, v.along + 3, free.along);
-    const Drive& drive = drives_[i];
-    four(ways_[i].along) += (touched ? four(v.along) : four(v.along) * four(drive.mean_kept.along) + four(drive.mean_gained.along)) * h;
-    four(ways_[i].about) += (touched ? four(v.about) : four(v.about) * four(drive.mean_kept.about) + four(drive.mean_gained.about)) * h;
-  }
+void HeapOf<F>::drift(std::size_t i, float h) {
+  const Motion &v = velocities_[i], &free = free_[i];
+  const bool touched = !std::equal(v.along, v.along + 3, free.along);
+  const Drive& drive = drives_[i];
+  four(ways_[i].along) += (touched ? four(v.along) : four(v.along) * four(drive.mean_kept.along) + four(drive.mean_gained.along)) * h;
+  four(ways_[i].about) += (touched ? four(v.about) : four(v.about) * four(drive.mean_kept.about) + four(drive.mean_gained.about)) * h;
+}
+
+template <class F>
+void HeapOf<F>::hold(std::size_t i) {
+  four(held_[i].along) = four(velocities_[i].along) - four(free_[i].along);
+  four(held_[i].about) = four(velocities_[i].about) - four(free_[i].about);
 }
 
 // Which lanes have a body that a later round changed much? What others share the batch does not matter to any of them.
@@ -269,75 +308,80 @@ bool HeapOf<F>::find_stirred(const Batch<F>& batch, int round, F& lanes) const {
   return any;
 }
 
+// Did it change a speed much?
+template <class F>
+bool HeapOf<F>::solve_batch(Batch<F>& batch, int round, int least, const Aim& aim) {
+  F takes_part = all<F>(1);
+  if (round >= least && !find_stirred(batch, round - 1, takes_part)) return false;
+  const auto loose = static_cast<float>((round < kFewRounds ? kQuiet : kLoose) / aim.per_second);
+  const F changed = solve(batch, rows_.data(), velocities_.data(), aim, takes_part);
+  if (!any_reaches(changed, loose)) return false;
+  for (int i = 0; i < kLanes<F>; ++i) {
+    if (lane(changed, i) < loose) continue;
+    if (batch.a[i]) stirred_[static_cast<std::size_t>(batch.a[i])] = round;
+    if (batch.b[i]) stirred_[static_cast<std::size_t>(batch.b[i])] = round;
+  }
+  return true;
+}
+
 // As solve_in_rounds in island.cpp, a batch at a time.
 template <class F>
-void HeapOf<F>::solve_in_rounds(int least, const Aim& aim) {
+void HeapOf<F>::solve_in_rounds(int least, const Aim& aim, Team& team) {
   std::fill(stirred_.begin(), stirred_.end(), -1);
-  const auto affordable = static_cast<int>(kMostSolves / members_.size());
+  const auto affordable = static_cast<int>(kMostSolves / std::max<std::size_t>(1, members_.size()));
   const int most = std::clamp(affordable, std::max(least, kFewRounds), std::max(least, kMostRounds));
   for (int round = 0; round < most; ++round) {
-    const auto loose = static_cast<float>((round < kFewRounds ? kQuiet : kLoose) / aim.per_second);
-    bool any = false;
-    for (Batch<F>& batch : batches_) {
-      F takes_part = all<F>(1);
-      if (round >= least && !find_stirred(batch, round - 1, takes_part)) continue;
-      const F changed = solve(batch, rows_.data(), velocities_.data(), aim, takes_part);
-      if (!any_reaches(changed, loose)) continue;
-      any = true;
-      for (int i = 0; i < kLanes<F>; ++i) {
-        if (lane(changed, i) < loose) continue;
-        if (batch.a[i]) stirred_[static_cast<std::size_t>(batch.a[i])] = round;
-        if (batch.b[i]) stirred_[static_cast<std::size_t>(batch.b[i])] = round;
-      }
-    }
+    std::atomic<bool> any = false;
+    each_by_color(team, [&](Batch<F>& batch) {
+      if (solve_batch(batch, round, least, aim)) any.store(true, std::memory_order_relaxed);
+    });
     if (round + 1 >= least && !any) break;
   }
 }
 
 template <class F>
-void HeapOf<F>::run(double seconds, int substeps, int rounds) {
+void HeapOf<F>::run(double seconds, int substeps, int rounds, Team& team) {
   if (records_.empty()) return;
   const double h = seconds / substeps;
   const auto step = static_cast<float>(h);
   const Softness softness = contact_softness(h);
-  set_up(h);
+  set_up(h, team);
   for (int i = 0; i < substeps; ++i) {
-    for (const Batch<F>& batch : batches_) measure(batch, rows_.data(), ways_.data(), static_cast<float>(i) * step);
-    kick();
-    if (i == 0)
-      for (const Batch<F>& batch : batches_) warm_start(batch, rows_.data(), velocities_.data());
-    solve_in_rounds(rounds, {&softness, 1 / step});
-    drift(step);
-    solve_in_rounds(rounds, {nullptr, 1 / step});
-    for (const Batch<F>& batch : batches_) sum_up(batch, rows_.data());
-    for (std::size_t k = 1; k < records_.size(); ++k) {
-      four(held_[k].along) = four(velocities_[k].along) - four(free_[k].along);
-      four(held_[k].about) = four(velocities_[k].about) - four(free_[k].about);
-    }
+    each_batch(team, [&](std::size_t k) { measure(batches_[k], rows_.data(), ways_.data(), static_cast<float>(i) * step); });
+    each_body(team, [&](std::size_t k) { kick(k); });
+    if (i == 0) each_by_color(team, [&](Batch<F>& batch) { warm_start(batch, rows_.data(), velocities_.data()); });
+    solve_in_rounds(rounds, {&softness, 1 / step}, team);
+    each_body(team, [&](std::size_t k) { drift(k, step); });
+    solve_in_rounds(rounds, {nullptr, 1 / step}, team);
+    each_batch(team, [&](std::size_t k) { sum_up(batches_[k], rows_.data()); });
+    each_body(team, [&](std::size_t k) { hold(k); });
   }
-  finish(seconds, h);
+  finish(seconds, h, team);
   records_.clear();
   members_.clear();
 }
 
 // The spin follows from the angular momentum and from how it then is turned.
 template <class F>
-void HeapOf<F>::finish(double seconds, double h) {
-  for (const Batch<F>& batch : batches_) measure(batch, rows_.data(), ways_.data(), static_cast<float>(seconds));
-  for (std::size_t i = 1; i < records_.size(); ++i) {
-    Record& record = records_[i];
-    Mover& mover = *record.mover;
-    mover.position += get(ways_[i].along) * record.root_mass;
-    mover.velocity = get(velocities_[i].along) * record.root_mass;
-    const auto turned = [&](const float* about) { return record.across[0] * about[0] + record.across[1] * about[1] + record.across[2] * about[2]; };
-    const Vec3 spin = turned(velocities_[i].about), m = mover.inertia;
-    const Vec3 momentum = mover.rotation * scaled(m, conjugate(mover.rotation) * spin);
-    const Vec3 turn = turned(ways_[i].about);
-    record.turned = turned_by({}, turn);
-    mover.rotation = normalized(record.turned * mover.rotation);
-    mover.spin = mover.rotation * unscaled(conjugate(mover.rotation) * momentum, m);
-  }
-  for (const Member& member : members_) read_back(member, seconds, h);
+void HeapOf<F>::move(Record& record, const Motion& way, const Motion& velocity) const {
+  Mover& mover = *record.mover;
+  mover.position += get(way.along) * record.root_mass;
+  mover.velocity = get(velocity.along) * record.root_mass;
+  const auto turned = [&](const float* about) { return record.across[0] * about[0] + record.across[1] * about[1] + record.across[2] * about[2]; };
+  const Vec3 spin = turned(velocity.about), m = mover.inertia;
+  const Vec3 momentum = mover.rotation * scaled(m, conjugate(mover.rotation) * spin);
+  record.turned = turned_by({}, turned(way.about));
+  mover.rotation = normalized(record.turned * mover.rotation);
+  mover.spin = mover.rotation * unscaled(conjugate(mover.rotation) * momentum, m);
+}
+
+template <class F>
+void HeapOf<F>::finish(double seconds, double h, Team& team) {
+  each_batch(team, [&](std::size_t i) { measure(batches_[i], rows_.data(), ways_.data(), static_cast<float>(seconds)); });
+  each_body(team, [&](std::size_t i) { move(records_[i], ways_[i], velocities_[i]); });
+  each_batch(team, [&](std::size_t i) {
+    for (std::size_t m = members_of_[i]; m < members_of_[i + 1]; ++m) read_back(members_[m], seconds, h);
+  });
 }
 
 template <class F>

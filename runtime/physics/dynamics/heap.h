@@ -7,6 +7,7 @@
 
 #include <vector>
 
+#include "base/team.h"
 #include "physics/dynamics/batch.h"
 #include "physics/dynamics/island.h"
 
@@ -17,8 +18,8 @@ class HeapOf {
  public:
   // One or more islands that take the same number of substeps; none of them knows of the others.
   void add(Island& island);
-  // All that was added, which is forgotten then.
-  void run(double seconds, int substeps, int rounds);
+  // All that was added, which is forgotten then. The team shares what is independent: bodies, or contacts of a color.
+  void run(double seconds, int substeps, int rounds, Team& team);
 
  private:
   struct Record {
@@ -40,18 +41,27 @@ class HeapOf {
 
   static int index_of(const Mover& mover) { return mover.pushable ? mover.record : 0; }
   const Record& record_of(const Mover& mover) const { return records_[static_cast<std::size_t>(index_of(mover))]; }
-  void set_up(double h);
+  void set_up(double h, Team& team);
   void set_drive(std::size_t i, double h);
   void color();
   void sort_members();
   void make_batches();
   void fill(Batch<F>& batch, int lane, Member& member, double h);
   void fill_friction(Batch<F>& batch, int lane, Member& member, double h);
-  void kick();
-  void drift(float h);
+  void kick(std::size_t i);
+  void drift(std::size_t i, float h);
+  void hold(std::size_t i);
   bool find_stirred(const Batch<F>& batch, int round, F& lanes) const;
-  void solve_in_rounds(int least, const Aim& aim);
-  void finish(double seconds, double h);
+  bool solve_batch(Batch<F>& batch, int round, int least, const Aim& aim);
+  void solve_in_rounds(int least, const Aim& aim, Team& team);
+  void move(Record& record, const Motion& way, const Motion& velocity) const;
+  void finish(double seconds, double h, Team& team);
+  template <class Each>
+  void each_body(Team& team, const Each& each);
+  template <class Each>
+  void each_batch(Team& team, const Each& each);
+  template <class Each>
+  void each_by_color(Team& team, const Each& each);
   void read_back(const Member& member, double seconds, double h);
 
   std::vector<Record> records_;
@@ -60,6 +70,7 @@ class HeapOf {
   std::vector<int> stirred_;  // the last round that changed a body's velocity much
   std::vector<Member> members_, sorted_;
   std::vector<Batch<F>> batches_;
+  std::vector<std::size_t> colors_, members_of_;  // where each color's batches begin, and each batch's members; and the ends
   std::vector<PointRow<F>> rows_;
 };
 

@@ -145,7 +145,8 @@ void solve_in_rounds(Island& island, int least, double h, const Softness* soft) 
       const int last = std::max(contact->a->pushable ? contact->a->stirred : -1, contact->b->pushable ? contact->b->stirred : -1);
       if (round >= least && last < round - 1 && !contact->a->bound && !contact->b->bound) continue;
       if (contact->solve(h, soft) < kLoose) continue;
-      contact->a->stirred = contact->b->stirred = round;
+      for (Mover* mover : {contact->a, contact->b})
+        if (mover->pushable) mover->stirred = round;
       any = true;
     }
     if (round + 1 >= least && !any) break;

@@ -45,6 +45,7 @@ btVector3 unlocked(const std::string& axes) {
 class StockSimulation final : public Simulation {
  public:
   StockSimulation(const SceneSettings& settings, const Knobs& knobs) : settings_(settings), substeps_(knobs.substeps) {
+    if (settings.threads > 1) throw Missing{"threads"};
     broadphase_.getOverlappingPairCache()->setInternalGhostPairCallback(&ghost_pairs_);
     world_.setGravity(to_stock(settings.gravity));
     world_.getSolverInfo().m_numIterations = knobs.iterations;

@@ -97,6 +97,7 @@ class TumbleSimulation final : public Simulation {
     WorldSettings out;
     out.gravity = settings.gravity;
     out.sleeping = settings.sleeping;
+    out.threads = settings.threads;
     out.substeps = knobs.substeps;
     out.iterations = knobs.iterations;
     out.friction_combine = out.restitution_combine = Combine::multiply;

@@ -69,9 +69,10 @@ struct Towers {
   }
   template <class F>
   void run() {
+    Team team(1);
     HeapOf<F> heap;
     heap.add(island);
-    heap.run(kStep, kSubsteps, kRounds);
+    heap.run(kStep, kSubsteps, kRounds, team);
   }
 };
 
@@ -91,14 +92,30 @@ TEST_CASE("heap: four lanes give the numbers of one", "[physics][dynamics]") {
   for (std::size_t i = 0; i < wide.contacts.size(); ++i) CHECK(wide.contacts[i].pressing() == narrow.contacts[i].pressing());
 }
 
+TEST_CASE("heap: any number of threads gives the same", "[physics][dynamics]") {
+  Towers one(60, 9, 5), three(60, 9, 5);
+  one.run<dynamics::Four>();
+
+  Team team(3);
+  HeapOf<dynamics::Four> heap;
+  heap.add(three.island);
+  heap.run(kStep, kSubsteps, kRounds, team);
+
+  for (std::size_t i = 0; i < one.movers.size(); ++i) {
+    CHECK(one.movers[i].velocity == three.movers[i].velocity);
+    CHECK(one.movers[i].position == three.movers[i].position);
+  }
+}
+
 TEST_CASE("heap: islands that are solved together do not know of each other", "[physics][dynamics]") {
   Towers alone(1, 9, 5), together(1, 9, 5), other(3, 4, 8);
+  Team team(1);
   HeapOf<dynamics::Four> heap;
   heap.add(other.island);
   heap.add(together.island);
 
   alone.run<dynamics::Four>();
-  heap.run(kStep, kSubsteps, kRounds);
+  heap.run(kStep, kSubsteps, kRounds, team);
 
   for (std::size_t i = 0; i < alone.movers.size(); ++i) CHECK(alone.movers[i].velocity == together.movers[i].velocity);
 }
@@ -107,9 +124,10 @@ TEST_CASE("heap: islands that are solved together do not know of each other", "[
 TEST_CASE("heap: goes the way of the scalar islands where both converge", "[physics][dynamics]") {
   Towers wide(3, 3, 3, 0), scalar(3, 3, 3, 0);
 
+  Team team(1);
   HeapOf<dynamics::Four> heap;
   heap.add(wide.island);
-  heap.run(kStep, 32, 60);
+  heap.run(kStep, 32, 60, team);
   dynamics::run(scalar.island, kStep, 32, 60);
 
   for (std::size_t i = 0; i < wide.movers.size(); ++i) {
