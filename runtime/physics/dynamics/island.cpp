@@ -257,6 +257,7 @@ int run(Island& island, double seconds, int least, int rounds) {
   for (Mechanism* mechanism : island.mechanisms) mechanism->begin_step(h);
   for (Contact* contact : island.contacts) contact->scale(h);
   for (int i = 0; i < count; ++i) substep(island, h, rounds);
+  for (Mechanism* mechanism : island.mechanisms) mechanism->end_step();
   for (Contact* contact : island.contacts) {
     contact->scale(1 / h);
     contact->raise(seconds);

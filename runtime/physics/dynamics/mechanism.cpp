@@ -14,9 +14,9 @@ constexpr int kMostSweeps = 12;       // over drives that meet
 constexpr double kSettled = 1e-9;     // part of the largest impulse at which sweeps end
 constexpr int kGapRounds = 2;
 // A repair of positions that costs more than this part of the motion's energy is no motion's, and gives no velocity.
-constexpr double kMostRepair = 2e-3, kMostRepairOfLoops = 2e-4;
-// Of what whipped so much remains to be reckoned with after a step.
-constexpr double kRemembered = 0.95;
+constexpr double kMostRepair = 2e-2, kMostRepairOfLoops = 2e-4;
+// Of what whipped so much remains to be reckoned with after a step, of so much at most.
+constexpr double kRemembered = 0.95, kMostRemembered = 5e-3;
 
 // More than this is not closed in one round, m or rad: after a jump the rows of before are far from those of then.
 constexpr double kMostGap = 0.2;
@@ -45,13 +45,6 @@ void each_held(const Link& link, F f) {
   }
 }
 
-double energy(const Mover& mover) {
-  const double lightest = std::max({mover.inverse_mass.x, mover.inverse_mass.y, mover.inverse_mass.z});
-  const double mass = lightest > 0 ? 1 / lightest : 0;
-  const Vec3 spin = conjugate(mover.rotation) * mover.spin;
-  return (mass * dot(mover.velocity, mover.velocity) + dot(scaled(mover.inertia, spin), spin)) / 2;
-}
-
 }  // namespace
 
 Mechanism::Mechanism(std::vector<Link*> links) : links_(std::move(links)) {}
@@ -67,6 +60,8 @@ void Mechanism::begin_step(double h) {
   whip_ *= kRemembered;
   find_bodies();
   for (Link* link : links_) refresh(*link);
+  energy_.begin(bodies_, links_, h);
+  conserves_ = without_loss(bodies_, links_);
   std::vector<Drive> drives;
   for (Link* link : links_)
     for (Drive& drive : drives_of(*link)) drives.push_back(std::move(drive));
@@ -153,11 +148,14 @@ void Mechanism::give(const Row& row, double impulse) const {
   note_impulse(*row.link, row.row, impulse);
 }
 
+void Mechanism::end_step() { energy_.end(bodies_, conserves_ && !touched); }
+
 void Mechanism::begin() {
   aimed_ = false;
   held_.setZero();
   for (Drive& drive : drives_) {
     drive.impulse = 0;
+    conserves_ &= !drive.active;
     if (drive.active) drive.before = speed(*drive.link, drive.row);
   }
 }
@@ -273,6 +271,19 @@ void Mechanism::drift_along(const Row& row, double shift, double h) {
   give(row, shift / h);
 }
 
+// Of the energy of the motion. In loops rows say nearly the same, and repairs feed what they should not; and where one body
+// dwarfs the others, a small part of its energy is much to them.
+double Mechanism::most_repair() const {
+  if (links_.size() > bodies_.size()) return kMostRepairOfLoops;
+  double light = 0, heavy = INFINITY;
+  for (const Mover* mover : bodies_) {
+    const double ease = std::max({mover->inverse_mass.x, mover->inverse_mass.y, mover->inverse_mass.z});
+    light = std::max(light, ease);
+    heavy = std::min(heavy, ease);
+  }
+  return light > 0 ? kMostRepair * std::pow(heavy / light, 0.25) : 0;
+}
+
 // Newton's method with the matrix of before the drift: its error shrinks by about the turn in a substep each round.
 void Mechanism::close_gaps(double h) {
   close_bends(h);
@@ -280,13 +291,17 @@ void Mechanism::close_gaps(double h) {
   for (int round = 0; round < kGapRounds; ++round) {
     const Eigen::VectorXd gaps = errors();
     if (gaps.lpNorm<Eigen::Infinity>() < kClosed) break;
-    double motion = 0, cost = 0;
-    for (const Mover* mover : bodies_) motion += energy(*mover);
-    // In loops rows say nearly the same, and repairs feed what they should not.
-    const double part = links_.size() > bodies_.size() ? kMostRepairOfLoops : kMostRepair, most = part * motion * 2 * h * h;
+    double motion = 0, fall = 0, cost = 0;
+    for (const Mover* mover : bodies_) {
+      motion += kinetic_energy(*mover);
+      fall += energy_of_fall(*mover, h);
+    }
+    const double most = most_repair() * motion * 2 * h * h;
     const Eigen::VectorXd shifts = repair(gaps, most, cost);
-    if (round == 0 && motion > 0) whip_ = std::max(whip_, std::min(cost / (2 * h * h * motion), kMostRepair) / (h * h));
+    // What moves no faster than it would by falling through the substep does not whip, but trembles about its rest.
+    if (round == 0 && motion > 0) whip_ = std::max(whip_, std::min(cost / (2 * h * h * (motion + fall)), kMostRemembered) / (h * h));
     move(shifts, cost <= most ? 1 / h : 0);
+    conserves_ &= cost <= most;
   }
 }
 
@@ -348,6 +363,7 @@ void Mechanism::stiffen(double h) {
     any = true;
   }
   if (any) gather();
+  conserves_ &= !any;
   factor();
 }
 

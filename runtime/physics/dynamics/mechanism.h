@@ -8,6 +8,7 @@
 #pragma once
 
 #include "physics/dynamics/drive.h"
+#include "physics/dynamics/energy.h"
 #include "physics/dynamics/factor.h"
 
 namespace tumble::dynamics {
@@ -34,6 +35,7 @@ class Mechanism {
   void close_gaps(double h);
   void turn_to_now(double h);
   void solve_after(double h);
+  void end_step();
 
  private:
   struct Row {
@@ -51,6 +53,7 @@ class Mechanism {
   void couple(Drive& drive);
   void close_bends(double h);
   void drift_along(const Row& row, double shift, double h);
+  double most_repair() const;
   Eigen::VectorXd errors();
   Eigen::VectorXd repair(const Eigen::VectorXd& errors, double most_cost, double& cost);
   void move(const Eigen::VectorXd& shifts, double rate);
@@ -70,6 +73,8 @@ class Mechanism {
   Eigen::VectorXd pull_;         // of the whole of the last one
   Factor factor_;
   double whip_ = 0;
+  EnergyBook energy_;
+  bool conserves_ = false;       // so far in this step, has nothing but constant forces done work?
   bool aimed_ = false;
 };
 
