@@ -3,11 +3,8 @@
 #pragma once
 
 #include <Eigen/Cholesky>
-#include <Eigen/SparseCholesky>
 
-#include <memory>
-#include <utility>
-#include <vector>
+#include "physics/dynamics/fronts.h"
 
 namespace tumble::dynamics {
 
@@ -18,18 +15,17 @@ class Factor {
   int size() const { return size_; }
   // In the pattern's order. Rows that say the same twice are told apart by a part of the diagonal that is added to it: then
   // one of the solutions is found, and all of them move the bodies alike.
-  void factor(const std::vector<double>& values, double regular = 1e-10);
+  void factor(const std::vector<double>& values, double regular);
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
 
  private:
   static constexpr int kDense = 12;  // up to here a full matrix is quicker
   int size_ = 0;
   std::vector<std::pair<int, int>> entries_;
+  std::vector<double> whole_;  // values, and what is added
   Eigen::MatrixXd dense_;
   Eigen::LDLT<Eigen::MatrixXd> dense_factor_;
-  Eigen::SparseMatrix<double> sparse_;
-  std::vector<int> places_;  // of each entry in sparse_'s values
-  std::unique_ptr<Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>> sparse_factor_;
+  Fronts fronts_;
 };
 
 }  // namespace tumble::dynamics

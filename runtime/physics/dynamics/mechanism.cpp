@@ -20,6 +20,9 @@ constexpr double kRemembered = 0.95, kMostRemembered = 5e-3;
 
 // More than this is not closed in one round, m or rad: after a jump the rows of before are far from those of then.
 constexpr double kMostGap = 0.2;
+// What repairs add to the diagonal, as parts of it; less than the last time is tried once in so many substeps.
+constexpr double kRegular[] = {1e-10, 1e-6, 1e-4, 1e-2};
+constexpr int kMostRegular = 3, kTryLess = 8;
 // What a pull may be, over inertia / h^2, before a part of it is taken implicitly.
 constexpr double kOwnStiffness = 0.25;
 constexpr double kClosed = 1e-13;     // nothing to close
@@ -112,7 +115,8 @@ void Mechanism::factor() {
     if (on.b == by.b) value += dot(x.row.linear_b, y.shift_b) + dot(x.row.angular_b, y.turn_b);
     values_.push_back(value);
   }
-  if (!rows_.empty()) factor_.factor(values_);
+  factored_ = 0;
+  if (!rows_.empty()) factor_.factor(values_, kRegular[0]);
 }
 
 void Mechanism::couple(Drive& drive) {
@@ -231,17 +235,16 @@ Eigen::VectorXd Mechanism::errors() {
 }
 
 // Where the rows hardly differ, as in a taut rope between two walls, closing a gap of nothing takes pushes without
-// bound. The more is added to the diagonal, the more of such a gap is left open (K. Levenberg, 1944).
+// bound. The more is added to the diagonal, the more of such a gap is left open (K. Levenberg, 1944): as much as the last
+// time, to begin with, since factoring is what costs.
 Eigen::VectorXd Mechanism::repair(const Eigen::VectorXd& errors, double most_cost, double& cost) {
-  Eigen::VectorXd shifts = factor_.solve(errors);
-  cost = errors.dot(shifts);
-  for (const double regular : {1e-6, 1e-4, 1e-2}) {
-    if (cost <= most_cost) break;
-    factor_.factor(values_, regular);
-    shifts = factor_.solve(errors);
+  for (;; ++regular_) {
+    if (regular_ != factored_) factor_.factor(values_, kRegular[regular_]);
+    factored_ = regular_;
+    Eigen::VectorXd shifts = factor_.solve(errors);
     cost = errors.dot(shifts);
+    if (cost <= most_cost || regular_ == kMostRegular) return shifts;
   }
-  return shifts;
 }
 
 // A limit whose row turns as the bodies move along it, as a cone's does, is passed by that bend in a drift. It is taken back
@@ -288,6 +291,7 @@ double Mechanism::most_repair() const {
 void Mechanism::close_gaps(double h) {
   close_bends(h);
   if (rows_.empty()) return;
+  if (regular_ > 0 && ++since_less_ % kTryLess == 0) --regular_;
   for (int round = 0; round < kGapRounds; ++round) {
     const Eigen::VectorXd gaps = errors();
     if (gaps.lpNorm<Eigen::Infinity>() < kClosed) break;
@@ -296,7 +300,7 @@ void Mechanism::close_gaps(double h) {
       motion += kinetic_energy(*mover);
       fall += energy_of_fall(*mover, h);
     }
-    const double most = most_repair() * motion * 2 * h * h;
+    const double most = most_repair() * (motion + fall) * 2 * h * h;
     const Eigen::VectorXd shifts = repair(gaps, most, cost);
     // What moves no faster than it would by falling through the substep does not whip, but trembles about its rest.
     if (round == 0 && motion > 0) whip_ = std::max(whip_, std::min(cost / (2 * h * h * (motion + fall)), kMostRemembered) / (h * h));

@@ -72,6 +72,9 @@ class Mechanism {
   Eigen::VectorXd held_;         // impulses along the rows in this substep
   Eigen::VectorXd pull_;         // of the whole of the last one
   Factor factor_;
+  int regular_ = 0;              // how much repairs add to the diagonal: which of a few parts
+  int factored_ = 0;             // the one with which factor_ was made
+  int since_less_ = 0;           // substeps
   double whip_ = 0;
   EnergyBook energy_;
   bool conserves_ = false;       // so far in this step, has nothing but constant forces done work?
