@@ -1,9 +1,8 @@
 // Rays, casts and overlaps.
 #include <algorithm>
 
-#include <BulletCollision/CollisionShapes/btTriangleShape.h>
-
 #include "physics/bullet/closest.h"
+#include "physics/bullet/each_convex.h"
 #include "physics/bullet/impl.h"
 #include "physics/rays.h"
 
@@ -125,32 +124,6 @@ struct Probe {
   btTransform at(const Pose& pose) const { return to_bullet(Pose{pose.position, normalized(pose.rotation)} * parts->poses[0]); }
   std::unique_ptr<ShapeParts> parts;
 };
-
-// Calls f(convex shape, its pose) for a piece: once, or for each triangle of a mesh in the box.
-template <class F>
-struct EachTriangle final : btTriangleCallback {
-  EachTriangle(const btTransform& given, F& function) : at(given), f(function) {}
-  void processTriangle(btVector3* t, int, int) override {
-    btTriangleShape triangle(t[0], t[1], t[2]);
-    triangle.setMargin(0);
-    f(static_cast<const btConvexShape&>(triangle), at);
-  }
-  const btTransform& at;
-  F& f;
-};
-
-template <class F>
-void each_convex(const Piece& piece, const btTransform& at, const btVector3& low, const btVector3& high, F f) {
-  if (piece.shape->isConvex()) {
-    f(static_cast<const btConvexShape&>(*piece.shape), at);
-    return;
-  }
-  EachTriangle<F> callback(at, f);
-  const btTransform back = at.inverse();
-  btVector3 local_low, local_high;
-  btTransformAabb(low, high, 0, back, local_low, local_high);
-  static_cast<const btConcaveShape*>(piece.shape)->processAllTriangles(&callback, local_low, local_high);
-}
 
 }  // namespace
 
