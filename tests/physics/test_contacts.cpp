@@ -190,6 +190,23 @@ TEST_CASE("contacts: a trigger that moves over a sleeper hears it and loses it",
   CHECK(count(run_and_take(scene, 0.1).contacts, EventKind::exit, true) == 1);
 }
 
+TEST_CASE("contacts: what was put to sleep in flight meets a blow with no speed", "[physics]") {
+  Scene scene(weightless());
+  BodyDef def = body(ball(0.5));
+  def.velocity = {5, 0, 0};
+  const BodyId sleeper = scene.add(def, {});
+  // 30 mm apart after a few ticks: one later it is so near that the step that wakes the sleeper is that of the blow.
+  def.velocity = {-1, 0, 0};
+  scene.add(def, {1 + 0.03 + 2 * kTick * (5 + 1) + 3 * kTick, 0, 0});
+  scene.run(2 * kTick);
+  scene.world.sleep(sleeper);
+
+  const Events events = run_and_take(scene, 0.2);
+
+  REQUIRE(count(events.contacts, EventKind::enter, false) == 1);
+  CHECK(events.contacts[0].speed == Approx(1));
+}
+
 TEST_CASE("contacts: groups meet only where both agree", "[physics]") {
   WorldSettings settings;
   settings.groups = {"player", "ghost"};

@@ -30,6 +30,10 @@ void Awake::wake(BodyState& first) {
   std::vector<BodyState*> fresh;
   const auto rouse = [&](BodyState& body) {
     begin_rest(body);
+    // Where the step begins for it, if it is woken in the middle of one.
+    body.last_good = body.rigid->getWorldTransform();
+    body.start_velocity = from_bullet(body.rigid->getLinearVelocity());
+    body.start_turning = from_bullet(body.rigid->getAngularVelocity());
     body.active = true;
     body.island = -1;
     bodies_.push_back(&body);
