@@ -24,6 +24,10 @@ struct ContactEvent {
   int collider_a = 0, collider_b = 0;
   Vec3 point;                      // deepest point, world; of an exit, the last one
   Vec3 normal;                     // from a towards b
+  // When, in seconds since the last step began, which ends where the next begins. Of a trigger, when the shapes first or last
+  // touched: below 0 of an exit whose body had gone in and out in the step before, and was told to have come in after it.
+  // Of solids, and of what goes on, the end of the step; of an exit between two steps, by a removal or a teleport, 0.
+  double time = 0;
   double speed = 0;                // approach at the point before the step, m/s, never negative
   double impulse = 0;              // sum along the normal in this step, N s
   Vec3 velocity;                   // of b against a, m/s

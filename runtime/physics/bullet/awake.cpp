@@ -62,8 +62,7 @@ void Awake::lay_down(BodyState& body) {
   body.active = false;
   body.rigid->setLinearVelocity({0, 0, 0});
   body.rigid->setAngularVelocity({0, 0, 0});
-  body.start_velocity = body.start_turning = body.force = body.torque = {};
-  body.last_good = body.rigid->getWorldTransform();
+  body.force = body.torque = {};
   overlaps_.settle(body);
   note(body);
 }

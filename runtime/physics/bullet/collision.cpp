@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "physics/bullet/contacts.h"
+#include "physics/bullet/way.h"
 
 namespace tumble {
 
@@ -38,14 +39,6 @@ void process(Overlap& overlap, PairDispatcher& dispatcher, const btDispatcherInf
   btManifoldResult result(&wrap_a, &wrap_b);
   result.m_closestPointDistanceThreshold = dispatcher.margin;
   overlap.algorithm->processCollision(&wrap_a, &wrap_b, info, &result);
-}
-
-// Where a body was at a part of the step that is over.
-Placed at_part(const Occupant& occupant, double part) {
-  const BodyState& body = *occupant.body;
-  btTransform at = occupant.object->getWorldTransform();
-  if (body.dynamic()) at.setOrigin(body.last_good.getOrigin().lerp(at.getOrigin(), part));
-  return {*occupant.object, at};
 }
 
 Placed now(const Occupant& occupant) { return {*occupant.object, occupant.object->getWorldTransform()}; }
@@ -186,28 +179,33 @@ bool Collision::any_inside(Overlap& overlap) {
 
 // Is it in there at the end of the step, or, if it was not before, was it at any time of it? What is faster than it is
 // thick is looked at on its way as well.
-void Collision::look_into(Overlap& overlap) {
+void Collision::look_into(Overlap& overlap, double seconds) {
   const Occupant &a = *overlap.a, &b = *overlap.b;
-  const BodyState &body_a = *a.body, &body_b = *b.body;
+  BodyState &body_a = *a.body, &body_b = *b.body;
   dispatcher_.margin = kTriggerMargin;  // 0 would be taken for none
-  const btVector3 way_a = at_part(a, 0).at.getOrigin() - now(a).at.getOrigin(), way_b = at_part(b, 0).at.getOrigin() - now(b).at.getOrigin();
-  const double way = (way_a - way_b).length();
-  const double thick = inner_radius(body_a.def) + inner_radius(body_b.def);
-  const int looks = thick > 0 ? std::clamp(static_cast<int>(std::ceil(std::min(way / thick, 1e6))), 1, kMostLooks) : 1;
   process(overlap, dispatcher_, info_, now(a), now(b));
+  const double way = distance(straight_way(body_a), straight_way(body_b)), thick = inner_radius(body_a.def) + inner_radius(body_b.def);
+  const int looks = thick > 0 ? std::clamp(static_cast<int>(std::ceil(std::min(way / thick, 1e6))), 1, kMostLooks) : 1;
+  if (looks == 1 || any_inside(overlap)) return;
   const bool was_in = std::any_of(body_a.pairs.begin(), body_a.pairs.end(), [&](const Pair* known) {
     return known->trigger && (known->a == &body_b || known->b == &body_b);
   });
-  for (int i = looks - 1; i >= 1 && !was_in && !any_inside(overlap); --i) {
+  if (was_in) return;
+  const Way way_a(body_a, seconds), way_b(body_b, seconds);
+  for (int i = looks - 1; i >= 1; --i) {
     const double part = static_cast<double>(i) / looks;
-    process(overlap, dispatcher_, info_, at_part(a, part), at_part(b, part));
+    process(overlap, dispatcher_, info_, {*a.object, way_a.at(part)}, {*b.object, way_b.at(part)});
+    if (!any_inside(overlap)) continue;
+    passages_.push_back({&body_a, &body_b, part});
+    return;
   }
 }
 
-void Collision::look_into_triggers(const std::vector<BodyState*>& carriers) {
+void Collision::look_into_triggers(double seconds, const std::vector<BodyState*>& carriers) {
+  passages_.clear();
   if (!overlaps_.has_triggers()) return;
-  const auto look = [this] {
-    for (Overlap* overlap : overlaps_.active(Overlap::triggers)) look_into(*overlap);
+  const auto look = [&] {
+    for (Overlap* overlap : overlaps_.active(Overlap::triggers)) look_into(*overlap, seconds);
   };
   look();  // along the ways for which the boxes were made; those stay until what they found has been read
   bool strayed = false;

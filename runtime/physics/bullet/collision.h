@@ -23,8 +23,14 @@ class Collision {
 
   // What may touch within the next `seconds`, of what is awake or was moved; wakes what that meets.
   void look(double seconds, Vec3 gravity, const std::vector<BodyState*>& carriers, Team& team);
-  // What is in triggers where everything is now.
-  void look_into_triggers(const std::vector<BodyState*>& carriers);
+  // What is in triggers where everything is now, after a step of so many seconds; and what went through them in it.
+  void look_into_triggers(double seconds, const std::vector<BodyState*>& carriers);
+  // Who was in a trigger on its way only: it had not been there before, and is not any more.
+  struct Passage {
+    BodyState *a, *b;
+    double part;  // of the step, 0 to 1, at which it was in there
+  };
+  const std::vector<Passage>& passages() const { return passages_; }
   // Boxes as far as bodies go in a step like the last one, so that queries find everything where it is now.
   void fit_boxes(const std::vector<BodyState*>& carriers);
   // The same of one body that was put somewhere.
@@ -50,7 +56,7 @@ class Collision {
   void look_at_bodies(Overlap& overlap) const;
   bool comes_to(const BodyState& a, const BodyState& b, Vec3 normal, double separation) const;
   void wake_by(Overlap& overlap);
-  void look_into(Overlap& overlap);
+  void look_into(Overlap& overlap, double seconds);
   bool any_near(Overlap& overlap);
   bool any_inside(Overlap& overlap);
 
@@ -59,6 +65,7 @@ class Collision {
   Awake& awake_;
   btDispatcherInfo info_;
   btManifoldArray manifolds_;
+  std::vector<Passage> passages_;
   double seconds_ = 0;      // of the step that is to come
   double fall_ = 0;         // m: how far gravity alone takes a body in it
 };

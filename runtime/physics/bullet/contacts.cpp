@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "physics/bullet/crossing.h"
+
 namespace tumble {
 
 namespace {
@@ -140,10 +142,19 @@ void note(Pair& pair, const Found& found) {
 ContactEvent exit_of(Pair& pair) {
   ContactEvent event = told(pair);
   event.kind = EventKind::exit;
+  event.time = pair.left;
   event.speed = event.impulse = 0;
   event.points.clear();
   return event;
 }
+
+// It came into the trigger in this step, and may have left it too.
+double came(Pair& pair, double seconds) {
+  if (pair.inside < 1) pair.left = last_touch(*pair.a, *pair.b, seconds, pair.inside) - seconds;
+  return first_touch(*pair.a, *pair.b, seconds, pair.inside);
+}
+
+double went(const Pair& pair, double seconds) { return pair.left < 0 ? pair.left : last_touch(*pair.a, *pair.b, seconds, 0); }
 
 }  // namespace
 
@@ -159,10 +170,14 @@ const ContactEvent& told(Pair& pair) {
   return pair.event;
 }
 
-Pair* ContactBook::find(const BodyState& a, const BodyState& b, bool trigger) {
-  for (Pair* pair : (a.pairs.size() < b.pairs.size() ? a : b).pairs)
-    if (pair->a == &a && pair->b == &b && pair->trigger == trigger) return pair;
+Pair* ContactBook::find(const BodyState& older, const BodyState& younger, bool trigger) {
+  for (Pair* pair : (older.pairs.size() < younger.pairs.size() ? older : younger).pairs)
+    if (pair->a == &older && pair->b == &younger && pair->trigger == trigger) return pair;
   return nullptr;
+}
+
+Pair* ContactBook::find_any(const BodyState& a, const BodyState& b, bool trigger) {
+  return a.serial > b.serial ? find(b, a, trigger) : find(a, b, trigger);
 }
 
 Pair& ContactBook::make(BodyState& a, BodyState& b, bool trigger) {
@@ -206,13 +221,14 @@ void ContactBook::observe(Collision& collision) {
   }
   for (const Overlap::Kind kind : {Overlap::solids, Overlap::triggers})
     collision.each_manifold(kind, [this](const btPersistentManifold& manifold) { observe(manifold); });
+  for (const Collision::Passage& passage : collision.passages())
+    if (Pair* pair = find_any(*passage.a, *passage.b, true)) pair->inside = passage.part;
 }
 
 void ContactBook::observe(const btPersistentManifold& manifold) {
   Found found;
   read(manifold, found);
-  const bool swapped = found.a->serial > found.b->serial;
-  Pair* pair = find(*(swapped ? found.b : found.a), *(swapped ? found.a : found.b), found.trigger);
+  Pair* pair = find_any(*found.a, *found.b, found.trigger);
   if (!found.touches(pair != nullptr)) return;
   if (!pair) pair = &pair_of(*found.a, *found.b, found.trigger);
   if (pair->seen != step_) forget(*pair);
@@ -220,19 +236,22 @@ void ContactBook::observe(const btPersistentManifold& manifold) {
   note(*pair, found);
 }
 
-void ContactBook::end_step(const std::vector<BodyState*>& awake, const std::vector<BodyState*>& carriers, Events& events) {
+void ContactBook::end_step(double seconds, const std::vector<BodyState*>& awake, const std::vector<BodyState*>& carriers, Events& events) {
   std::vector<Sorted> batch;
-  const auto add = [&batch](const Pair& pair, ContactEvent event, EventKind kind) {
+  const auto add = [&batch](const Pair& pair, ContactEvent event, EventKind kind, double time) {
     event.kind = kind;
+    event.time = time;
     batch.push_back({kind, pair.a->serial, pair.b->serial, pair.trigger, std::move(event)});
   };
   const auto look_at = [&](Pair& pair) {
     if (pair.seen == step_) {
       const EventKind kind = pair.kind = pair.told ? EventKind::stay : EventKind::enter;
-      if (!pair.told || pair.a->want_stay || pair.b->want_stay) add(pair, told(pair), kind);
+      if (pair.told) pair.left = 0;
+      const double time = pair.trigger && !pair.told ? came(pair, seconds) : seconds;
+      if (!pair.told || pair.a->want_stay || pair.b->want_stay) add(pair, told(pair), kind, time);
       pair.told = true;
     } else if (pair.a->active || pair.b->active) {
-      add(pair, exit_of(pair), EventKind::exit);
+      add(pair, exit_of(pair), EventKind::exit, pair.trigger ? went(pair, seconds) : seconds);
       drop(pair);
     }
   };

@@ -20,6 +20,9 @@ struct Pair {
   KeptContact* kept = nullptr; // where it is read from, when it is asked for
   bool unread = false;
   EventKind kind = EventKind::enter;  // of the last step
+  // Of a trigger, in the step in which it was found:
+  double inside = 1;           // a part of the step at which they touched
+  double left = 0;             // if they do not any more at its end: since when, s before that, below 0
 };
 
 class ContactBook {
@@ -28,14 +31,15 @@ class ContactBook {
   // After a step: what was found and solved.
   void observe(Collision& collision);
   // Contacts of these, the only ones that can have changed.
-  void end_step(const std::vector<BodyState*>& awake, const std::vector<BodyState*>& carriers, Events& events);
+  void end_step(double seconds, const std::vector<BodyState*>& awake, const std::vector<BodyState*>& carriers, Events& events);
   // The body leaves or jumps: its pairs end now.
   void end_pairs(BodyState& body, Events& events);
   int touching() const;        // pairs of solids
   const std::vector<std::unique_ptr<Pair>>& pairs() const { return pairs_; }
 
  private:
-  Pair* find(const BodyState& a, const BodyState& b, bool trigger);
+  Pair* find(const BodyState& older, const BodyState& younger, bool trigger);
+  Pair* find_any(const BodyState& a, const BodyState& b, bool trigger);
   Pair& make(BodyState& a, BodyState& b, bool trigger);
   void drop(Pair& pair);
   Pair& pair_of(BodyState& a, BodyState& b, bool trigger);

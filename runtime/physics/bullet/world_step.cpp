@@ -129,9 +129,9 @@ void World::Impl::end_step(double seconds) {
   lose_insane();
   for (BodyState* body : carriers)
     if (body->moving) body->place(body->path.to);
-  collision.look_into_triggers(carriers);
+  collision.look_into_triggers(seconds, carriers);
   book.observe(collision);
-  book.end_step(awake.bodies(), carriers, events);
+  book.end_step(seconds, awake.bodies(), carriers, events);
   break_joints(seconds);
   awake.sort();  // a joint that broke woke its bodies
   settle(seconds);
