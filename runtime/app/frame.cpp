@@ -28,7 +28,7 @@ void Game::tick(std::vector<InputEvent> events) {
     script.run_tasks(dt);
     script.update(dt);
     engine_->step(dt);
-    script.physics_events(engine_->take_events());
+    script.physics_events(engine_->take_events(), script.seconds_now - dt);
     script.animation_events(engine_->take_animation_ends());
     script.late_update(dt);
     engine_->step_particles(dt);

@@ -174,6 +174,7 @@ HitData query_hit(Script& s, const QueryHit& found, Vec3 origin, Vec3 end) {
   hit.point = found.point;
   hit.normal = found.normal;
   hit.distance = found.distance;
+  hit.time = s.seconds_now;
   hit.origin = origin;
   hit.end = end;
   return hit;
@@ -196,6 +197,10 @@ double hit_speed(Script&, HitRef h) { return h.hit->speed; }
 double hit_impulse(Script&, HitRef h) {
   if (h.hit->kind == HitData::Kind::trigger) fail("hit.impulse: a trigger pushes nobody and has no impulse");
   return h.hit->impulse;
+}
+double hit_time(Script&, HitRef h) {
+  if (h.hit->kind == HitData::Kind::collision) fail("hit.time: a collision does not tell a moment within its tick, a trigger does; use time.now");
+  return h.hit->time;
 }
 Vec3 hit_velocity(Script&, HitRef h) { return h.hit->velocity; }
 double hit_distance(Script&, HitRef h) { return h.hit->distance; }
@@ -344,6 +349,7 @@ void rows_hit(Area& a) {
   a.prop<hit_speed>("speed", "How fast they approached before the hit, m/s.");
   a.prop<hit_impulse>("impulse", "What they pushed each other with in this tick, N s.");
   a.prop<hit_velocity>("velocity", "The other's velocity against mine, m/s.");
+  a.prop<hit_time>("time", "Of a trigger: when the shapes first or last touched, s on the clock of time.now and exact within the tick; of a stay or a query, time.now.");
   a.prop<hit_distance>("distance", "Of a query: how far from the origin, m.");
   a.prop<hit_origin>("origin", "Of a query: where it began.");
   a.prop<hit_end>("end_point", "Of a query: where it would have ended.");

@@ -169,7 +169,8 @@ class Script {
   void deliver_input(const std::vector<InputNotice>& notices);
   void run_tasks(double dt);
   void update(double dt);
-  void physics_events(const Events& events);
+  // `began`: when, on the clock of time.now, the time began that the events count from.
+  void physics_events(const Events& events, double began);
   void animation_events(const std::vector<AnimationEnd>& ends);
   void late_update(double dt);
   void flush();                                        // destroys, scene loads, start() of what is new
@@ -338,6 +339,7 @@ struct HitData {
   int collider = 0, own_collider = 0;
   Vec3 point, normal, velocity, origin, end;
   double speed = 0, impulse = 0, distance = 0;
+  double time = 0;            // of a trigger or query, on the clock of time.now
   std::vector<ContactPoint> points;
   enum class Kind { collision, trigger, query } kind = Kind::collision;
 };

@@ -204,7 +204,7 @@ std::vector<NodeId> Script::scripted_nodes() {
 void Script::remove_dying() {
   while (live_.has_removals()) {
     live_.remove_bodies_of_dying();
-    physics_events(live_.take_events());   // their exits, while partners can still be read
+    physics_events(live_.take_events(), seconds_now);   // their exits, while partners can still be read
     for (const NodeId gone : live_.finish_removals()) forget_node(gone);
   }
 }

@@ -96,7 +96,7 @@ void Script::event(NodeId node, const char* name, const std::function<void()>& p
   call_boot("event", arguments, 0, Phase::run);
 }
 
-void Script::physics_events(const Events& events) {
+void Script::physics_events(const Events& events, double began) {
   static const char* const names[2][3] = {{"on_collision_exit", "on_collision_enter", "on_collision_stay"},
                                           {"on_trigger_exit", "on_trigger_enter", "on_trigger_stay"}};
   for (const ContactEvent& contact : events.contacts) {
@@ -104,9 +104,14 @@ void Script::physics_events(const Events& events) {
     // A handler may have destroyed a partner meanwhile: its enters and stays are dropped, its exit is told.
     if (contact.kind != EventKind::exit && !(live_.alive(a) && live_.alive(b))) continue;
     const char* name = names[contact.trigger][static_cast<int>(contact.kind)];
-    event(a, name, [&] { push_hit(L_, hit_of(contact, contact.a)); });
+    const auto push = [&](BodyId self) {
+      HitData hit = hit_of(contact, self);
+      hit.time = began + contact.time;
+      push_hit(L_, hit);
+    };
+    event(a, name, [&] { push(contact.a); });
     if (contact.kind != EventKind::exit && !(live_.alive(a) && live_.alive(b))) continue;
-    event(b, name, [&] { push_hit(L_, hit_of(contact, contact.b)); });
+    event(b, name, [&] { push(contact.b); });
   }
   for (const JointEvent& broken : events.breaks) {
     const JointRef id = live_.joint_of(broken.joint);

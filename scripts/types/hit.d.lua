@@ -12,6 +12,7 @@
 ---@field speed number How fast they approached before the hit, m/s.
 ---@field impulse number What they pushed each other with in this tick, N s.
 ---@field velocity vec3 The other's velocity against mine, m/s.
+---@field time number Of a trigger: when the shapes first or last touched, s on the clock of time.now and exact within the tick; of a stay or a query, time.now.
 ---@field distance number Of a query: how far from the origin, m.
 ---@field origin vec3 Of a query: where it began.
 ---@field end_point vec3 Of a query: where it would have ended.

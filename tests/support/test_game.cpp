@@ -45,7 +45,7 @@ void TestGame::tick(int count, std::vector<InputEvent> events) {
       script->run_tasks(dt);
       script->update(dt);
       engine->step(dt);
-      script->physics_events(engine->take_events());
+      script->physics_events(engine->take_events(), script->seconds_now - dt);
       script->animation_events(engine->take_animation_ends());
       script->late_update(dt);
     }

@@ -75,6 +75,35 @@ test("a trigger tells who comes and who goes, and lets it through", function()
   expect(went[2] - begun):near(math.sqrt(2 * 3.7 / 9.81), 0.035)
 end)
 
+test("a trigger tells when within the tick it was crossed, on the clock of time.now", function()
+  local zone = scene.add { name = "zone", position = vec3(0, 5, 0), body = { type = "static", trigger = true, colliders = { shape = "box", size = vec3(2, 1, 2) } } }
+  local ball = scene.add { name = "ball", position = vec3(0, 8, 0), mesh = { shape = "sphere", radius = 0.2 }, body = { mass = 1 } }
+  local came, stayed, went, now, seen
+  function zone.on_trigger_enter(hit) came, now = hit.time, time.now end
+  function zone.on_trigger_stay(hit) stayed = stayed or hit.time == time.now end
+  function zone.on_trigger_exit(hit) went = hit.time end
+  function ball.on_trigger_enter(hit) seen = hit.time end
+  wait(0)
+  local begun = time.now - time.tick_seconds   -- the ball joined the world in the tick before
+  wait(1.2)
+  expect(came - begun):near(math.sqrt(2 * 2.3 / 9.81), 1e-6)
+  expect(went - begun):near(math.sqrt(2 * 3.7 / 9.81), 1e-6)
+  expect(seen):equals(came)
+  expect(came <= now and came > now - time.tick_seconds):equals(true)
+  expect(stayed):equals(true)
+end)
+
+test("what leaves a trigger by its end leaves it now", function()
+  local zone = scene.add { name = "zone", position = vec3(0, 5, 0), body = { type = "static", trigger = true, colliders = { shape = "box", size = vec3(2, 1, 2) } } }
+  local ball = scene.add { name = "ball", position = vec3(0, 5, 0), mesh = "sphere", body = { gravity_factor = 0 } }
+  local went, now
+  function zone.on_trigger_exit(hit) went, now = hit.time, time.now end
+  wait(0.1)
+  ball:destroy()
+  wait(0.1)
+  expect(went):equals(now)
+end)
+
 test("bodies may be made, moved and ended inside a handler", function()
   local ball = scene.add { name = "ball", position = vec3(0, 2, 0), mesh = "sphere", body = { mass = 1 } }
   local other
