@@ -11,9 +11,6 @@ namespace tumble {
 
 namespace {
 
-// How many ticks a frame may catch up before time is dropped: a tenth of a second at 60 Hz.
-constexpr int kMostTicksAFrame = 6;
-
 std::string whole_file(const std::string& file, const char* call) {
   std::ifstream in(file, std::ios::binary);
   if (!in) fail(call, ": '", file, "' cannot be read");
@@ -52,7 +49,7 @@ void Runtime::Impl::open_game(const Stored& kept) {
   open_window();
   if (window) window->set_title(game->settings().title);
   pending.clear();
-  accumulator = 0;
+  clock = FixedClock(game->tick_seconds(), kMostTicksAFrame);
   first_frame = true;
   game->start();
 }
@@ -232,21 +229,12 @@ bool Runtime::frame() {
   const bool begins = std::exchange(impl.first_frame, false);
   const double real = begins ? 0 : std::chrono::duration<double>(now - impl.last_frame).count();
   impl.last_frame = now;
-  const double h = impl.game->tick_seconds();
   const ModuleSettings& settings = impl.game->script().module_settings();
   // A tick at once, lest the first picture, which takes the longest, show a game before its first draw_ui().
-  impl.accumulator += begins ? h : real * (settings.paused ? 1 : settings.time_scale);
-  int ticks = 0;
-  while (impl.accumulator >= h && !wants_quit()) {
-    if (++ticks > kMostTicksAFrame) {  // too slow to keep up: the game slows down rather than freezing
-      impl.accumulator = 0;
-      break;
-    }
-    impl.accumulator -= h;
-    impl.tick_once();
-  }
+  impl.clock.begin_frame(begins ? impl.game->tick_seconds() : real * (settings.paused ? 1 : settings.time_scale));
+  while (!wants_quit() && impl.clock.take_tick()) impl.tick_once();
   // A paused world stands where it is, not between its last two ticks.
-  impl.draw(impl.game->script().module_settings().paused ? 1 : impl.accumulator / h, real);
+  impl.draw(impl.game->script().module_settings().paused ? 1 : impl.clock.part_of_tick(), real);
   impl.hear();
   impl.window->present();
   return !impl.quit && !impl.game->script().requests.quit;

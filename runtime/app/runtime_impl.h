@@ -9,6 +9,7 @@
 
 #include "app/game.h"
 #include "app/pointer_capture.h"
+#include "base/fixed_clock.h"
 #include "platform/audio.h"
 #include "platform/mixer.h"
 #include "platform/window.h"
@@ -17,6 +18,9 @@
 namespace tumble {
 
 using Clock = std::chrono::steady_clock;
+
+// How many ticks a frame may catch up before time is dropped: a tenth of a second at 60 Hz.
+constexpr int kMostTicksAFrame = 6;
 
 struct __attribute__((visibility("hidden"))) Runtime::Impl {
   GameHost host;
@@ -34,7 +38,7 @@ struct __attribute__((visibility("hidden"))) Runtime::Impl {
   Clock::time_point last_frame;
   bool first_frame = true, quit = false;
   PointerCapture capture;
-  double accumulator = 0;
+  FixedClock clock{1.0 / 60, kMostTicksAFrame};  // of the game; made anew with it
   std::optional<Recording> next_recording;
 
   Game& need_game(const char* call) {
