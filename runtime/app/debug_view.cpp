@@ -154,7 +154,7 @@ std::string cost_text(const WorldStats& stats) {
 }  // namespace
 
 void add_debug_view(DrawList& list, const Engine& engine, DebugView view, const std::vector<DebugQuery>& queries, double alpha,
-                    double aspect) {
+                    double aspect, double dropped_seconds) {
   if (view == DebugView::none) return;
   const Parts parts = parts_of(view);
   const World* world = engine.world();
@@ -174,6 +174,7 @@ void add_debug_view(DrawList& list, const Engine& engine, DebugView view, const 
   }
   std::vector<Row> rows = legend(view, parts, counts);
   rows.push_back({world ? cost_text(world->stats()) : "no bodies in this game yet"});
+  if (dropped_seconds > 0) rows.push_back({number_text(std::round(dropped_seconds * 100) / 100) + " s dropped: the computer was too slow for them", {1, 0.6, 0.3, 1}});
   rows.push_back({"F3: next", {0.8, 0.8, 0.8, 1}});
   add_rows(list, rows, aspect);
 }

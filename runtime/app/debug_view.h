@@ -10,8 +10,8 @@
 namespace tumble {
 
 // Bodies stand where the picture shows them: between the last tick (alpha 0) and this one. `queries` are those of the
-// scripts. The list's camera must be set.
+// scripts, `dropped_seconds` what the loop left out. The list's camera must be set.
 void add_debug_view(DrawList& list, const Engine& engine, DebugView view, const std::vector<DebugQuery>& queries, double alpha,
-                    double aspect);
+                    double aspect, double dropped_seconds);
 
 }  // namespace tumble

@@ -188,7 +188,7 @@ void Game::add_debug(DrawList& list, double alpha, double aspect) {
   std::vector<DebugQuery> queries = script_->tick_drawing().queries;
   for (const Drawing* drawing : {standing_ ? &*standing_ : nullptr, &script_->frame_drawing()})
     if (drawing) queries.insert(queries.end(), drawing->queries.begin(), drawing->queries.end());
-  add_debug_view(list, *engine_, script_->module_settings().debug_view, queries, alpha, aspect);
+  add_debug_view(list, *engine_, script_->module_settings().debug_view, queries, alpha, aspect, script_->dropped_seconds);
 }
 
 void Game::add_log_overlay(DrawList& list, double aspect) {

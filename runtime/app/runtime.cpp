@@ -232,6 +232,7 @@ bool Runtime::frame() {
   const ModuleSettings& settings = impl.game->script().module_settings();
   // A tick at once, lest the first picture, which takes the longest, show a game before its first draw_ui().
   impl.clock.begin_frame(begins ? impl.game->tick_seconds() : real * (settings.paused ? 1 : settings.time_scale));
+  impl.game->script().dropped_seconds = impl.clock.dropped_seconds();
   while (!wants_quit() && impl.clock.take_tick()) impl.tick_once();
   // A paused world stands where it is, not between its last two ticks.
   impl.draw(impl.game->script().module_settings().paused ? 1 : impl.clock.part_of_tick(), real);
@@ -304,6 +305,7 @@ std::uint64_t Runtime::hash() const { return impl_->need_game("hash").hash(); }
 std::int64_t Runtime::tick_number() const { return impl_->game ? impl_->game->ticks() : 0; }
 std::int64_t Runtime::frame_number() const { return impl_->frames; }
 double Runtime::seconds() const { return impl_->game ? impl_->game->script().seconds_now : 0; }
+double Runtime::dropped_seconds() const { return impl_->clock.dropped_seconds(); }
 double Runtime::tick_seconds() const { return impl_->game ? impl_->game->tick_seconds() : 1.0 / 60; }
 bool Runtime::is_finished() const { return impl_->game && impl_->game->script().finished; }
 bool Runtime::wants_quit() const { return impl_->quit || (impl_->game && impl_->game->script().requests.quit); }

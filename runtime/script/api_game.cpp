@@ -15,6 +15,7 @@ namespace {
 double now(Script& s) { return s.phase() == Phase::declare ? 0 : s.seconds_now; }
 std::int64_t tick(Script& s) { return s.phase() == Phase::declare ? 0 : static_cast<std::int64_t>(s.engine().tick); }
 double tick_seconds(Script& s) { return 1 / s.engine().settings.tick_rate; }
+double dropped_seconds(Script& s) { return s.phase() == Phase::declare ? 0 : s.dropped_seconds; }
 double scale(Script& s) { return s.settings().time_scale; }
 void set_scale(Script& s, double v) {
   if (v < 0.01 || v > 100) fail("time.scale: 0.01 to 100 expected, got ", number_text(v), "; time.paused = true stops time");
@@ -97,6 +98,7 @@ void rows_time(Area& a) {
   a.prop<now>("now", "Game seconds since the start; it stands while paused.");
   a.prop<tick>("tick", "Ticks since the start.");
   a.prop<tick_seconds>("tick_seconds", "The length of a tick, s.");
+  a.prop<dropped_seconds>("dropped_seconds", "Game seconds left out since the start, as the computer was too slow for them: a frame makes up for 6 ticks at most. To be shown, not to be played by: it differs from run to run, and is 0 in bots' runs, tests and replays without a window.");
   a.prop<scale, set_scale>("scale", "1 is normal, 0.5 half as fast: fewer ticks a second, each as long as ever. 0.01 to 100; menus of a paused game run as ever.");
   a.prop<paused, set_paused>("paused", "Stops updates, physics and tasks; input handlers of main.lua and draw_ui go on.");
   a.fn<step>("step", "One tick while paused.").acts();

@@ -190,6 +190,7 @@ class Script {
   bool finished = false;
   int errors = 0;
   double seconds_now = 0;                              // time.now
+  double dropped_seconds = 0;                          // time.dropped_seconds; the loop tells it
   int steps_wanted = 0;                                // time.step() while paused
   double aspect = 16.0 / 9.0;                          // of the ui: width / height
   std::optional<ScriptFailure> shown_error;            // until the next good save

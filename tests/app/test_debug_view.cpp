@@ -12,10 +12,10 @@ namespace {
 constexpr double kWide = 16.0 / 9;
 
 struct Seen : PlainGame {
-  DrawList show(DebugView view, double alpha = 1, const std::vector<DebugQuery>& queries = {}) const {
+  DrawList show(DebugView view, double alpha = 1, const std::vector<DebugQuery>& queries = {}, double dropped_seconds = 0) const {
     DrawList list;
     list.origin = {0, 0, 10};   // looks along -z at the origin
-    add_debug_view(list, *this, view, queries, alpha, kWide);
+    add_debug_view(list, *this, view, queries, alpha, kWide, dropped_seconds);
     return list;
   }
 };
@@ -200,4 +200,11 @@ TEST_CASE("debug view: scripts' questions are noted only while it shows them, an
   CHECK(on == 6);
   CHECK(all == 6);
   CHECK(off == 0);
+}
+
+TEST_CASE("debug view: time that was dropped is told, and only then", "[app][debug]") {
+  const Seen game;
+
+  CHECK(says(game.show(DebugView::colliders, 1, {}, 2.9), "2.9 s dropped"));
+  CHECK_FALSE(says(game.show(DebugView::colliders), "dropped"));
 }

@@ -126,8 +126,24 @@ captured() {
     ! has '"moves": \[-?[0-9]+, 1200, 1200,' && ! has '"moves": .* 1200\]'
 }
 
+cat >stopped.lua <<'LUA'
+function on_press(name)
+  print("heard " .. name)
+  if name == "f1" then game.quit() end
+end
+LUA
+stopped() {  # for a second: six ticks of it are caught up with, the rest is dropped and told
+  open stopped.lua
+  kill -STOP $game
+  sleep 1
+  kill -CONT $game
+  sync
+  closed && has '"dropped_seconds": (0\.[89]|[1-9])'
+}
+
 claim 'text: letters that no key bears come as they were typed, beside the keys' umlauts
 claim 'start: the first picture is of a game that has begun' begun
 claim 'text: a replay of what was typed gives the same hash' replayed
 claim 'pointer: captured it goes on for ever; escape, a click and pause change hands' captured
+claim 'time: what a game that stood still left out is told' stopped
 exit $failures

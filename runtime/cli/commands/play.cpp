@@ -65,10 +65,10 @@ void load(Runtime& runtime, const Play& play) {
 }
 
 std::string report_text(const Runtime& runtime) {
-  char numbers[160];
+  char numbers[256];
   std::snprintf(numbers, sizeof numbers,
-                "\"ticks\": %" PRId64 ", \"frames\": %" PRId64 ", \"script_errors\": %d, \"hash\": \"%016" PRIx64 "\", \"seconds\": %.6f",
-                runtime.tick_number(), runtime.frame_number(), runtime.script_errors(), runtime.hash(), runtime.seconds());
+                "\"ticks\": %" PRId64 ", \"frames\": %" PRId64 ", \"script_errors\": %d, \"hash\": \"%016" PRIx64 "\", \"seconds\": %.6f, \"dropped_seconds\": %.6f",
+                runtime.tick_number(), runtime.frame_number(), runtime.script_errors(), runtime.hash(), runtime.seconds(), runtime.dropped_seconds());
   std::string game = runtime.report_json();
   while (game.ends_with('\n')) game.pop_back();
   return std::string("{") + numbers + ", \"game\": " + game + "}\n";

@@ -188,6 +188,8 @@ class TUMBLE_API Runtime {
   std::int64_t frame_number() const;
   double seconds() const;                            // of game time
   double tick_seconds() const;
+  // Of game time, that frame() left out since the game was loaded, as the computer was too slow for it; tick() drops none.
+  double dropped_seconds() const;
   bool is_finished() const;
   bool wants_quit() const;
   bool is_loaded() const;                            // did the scripts start?
