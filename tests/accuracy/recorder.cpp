@@ -91,23 +91,45 @@ void Recorder::wake(BodyIndex body) {
   change([=](Simulation& s) { s.wake(body); });
 }
 
-void Recorder::step(double seconds) {
+void Recorder::keep_steps(double seconds, int count) {
   const bool again = !script_.empty() && !script_.back().change && script_.back().seconds == seconds;
-  if (again) ++script_.back().steps;
-  else if (script_.size() < kLongestScript) script_.push_back({{}, seconds, 1});
+  if (again) script_.back().steps += count;
+  else if (script_.size() < kLongestScript && count > 0) script_.push_back({{}, seconds, count});
+}
+
+template <class Run>
+void Recorder::time(const Run& run) {
   if (simulated_ >= stop_after_) throw Enough{};
   const double begin = thread_ms();
   CALLGRIND_TOGGLE_COLLECT;  // off before; nothing outside valgrind
-  engine_->step(seconds);
+  run();
   CALLGRIND_TOGGLE_COLLECT;
   step_ms_ += thread_ms() - begin;
-  ++steps_;
-  simulated_ += seconds;
-  if (steps_ % kContactsEvery == 0) {
+}
+
+void Recorder::count_steps(double seconds, int count) {
+  const int samples = (steps_ + count) / kContactsEvery - steps_ / kContactsEvery;
+  steps_ += count;
+  simulated_ += seconds * count;
+  if (samples > 0) {
     contact_points_ += engine_->contact_points();
     ++contact_samples_;
   }
-  if (tracing_) add_trace();
+  if (tracing_ && count > 0) add_trace();
+}
+
+void Recorder::step(double seconds) {
+  keep_steps(seconds, 1);
+  time([&] { engine_->step(seconds); });
+  count_steps(seconds, 1);
+}
+
+Frame Recorder::frame(double seconds) {
+  Frame frame;
+  time([&] { frame = engine_->frame(seconds); });
+  keep_steps(kFrame, frame.ticks);
+  count_steps(kFrame, frame.ticks);
+  return frame;
 }
 
 void Recorder::add_trace() {

@@ -56,6 +56,7 @@ class Recorder final : public Simulation {
   void apply_impulse(BodyIndex body, Vec3 impulse, std::optional<Vec3> point) override;
   void wake(BodyIndex body) override;
   void step(double seconds) override;
+  Frame frame(double seconds) override;  // kept as the ticks that were run
   Pose pose(BodyIndex body) const override { return engine_->pose(body); }
   Vec3 velocity(BodyIndex body) const override { return engine_->velocity(body); }
   Vec3 angular_velocity(BodyIndex body) const override { return engine_->angular_velocity(body); }
@@ -73,6 +74,10 @@ class Recorder final : public Simulation {
   // Keeps it for later, and does it now.
   template <class Change>
   auto change(Change change);
+  void keep_steps(double seconds, int count);
+  template <class Run>
+  void time(const Run& run);
+  void count_steps(double seconds, int count);
   void add_trace();
 
   std::unique_ptr<Simulation> engine_;

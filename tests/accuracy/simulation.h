@@ -34,6 +34,7 @@ struct SceneSettings {
   Vec3 gravity{0, -9.81, 0};
   bool sleeping = false;
   int threads = 1;           // costs are told of one thread
+  int most_ticks = 6;     // that a frame() catches up with
 };
 
 // A joint whose partners are bodies of the scene; `def.a` and `def.b` are not read.
@@ -52,6 +53,12 @@ struct Touch {            // a pair of bodies that touch, as seen after a step
 struct Crossing {         // a solid body and a trigger
   BodyIndex trigger = 0, visitor = 0;
   bool enter = true;
+  std::optional<double> time;  // when the shapes first or last touched, s since the step began; nothing where an engine knows steps only
+};
+
+struct Frame {            // of a loop with a clock
+  int ticks = 0;          // that were run
+  double dropped = 0;     // s that were left out
 };
 
 struct RayHit {
@@ -90,6 +97,9 @@ class Simulation {
   virtual void apply_impulse(BodyIndex body, Vec3 impulse, std::optional<Vec3> point = {}) = 0;
   virtual void wake(BodyIndex body) = 0;
   virtual void step(double seconds) = 0;
+  // So many seconds of real time, by the engine's own clock: the ticks of a 60th of a second that are due by now, as many as
+  // a frame may catch up with.
+  virtual Frame frame(double seconds) = 0;
 
   // ---- reading it
   virtual Pose pose(BodyIndex body) const = 0;              // of the body's own frame

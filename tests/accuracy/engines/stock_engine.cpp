@@ -154,8 +154,16 @@ class StockSimulation final : public Simulation {
     impulses_.clear();
     for (StockJoint& joint : joints_) before_step(joint, seconds);
     world_.steps(substeps_, static_cast<btScalar>(seconds / substeps_));
-    for (int i = 0; i < static_cast<int>(bodies_.size()); ++i)
-      if (bodies_[static_cast<std::size_t>(i)].ghost) note_crossings(i);
+    note_crossings();
+  }
+  // stepSimulation's own clock. It answers with the steps that were due; what is beyond those it may run is lost.
+  Frame frame(double seconds) override {
+    impulses_.clear();
+    for (StockJoint& joint : joints_) before_step(joint, kStep);
+    const int most = settings_.most_ticks * substeps_;
+    const int due = world_.stepSimulation(static_cast<btScalar>(seconds), most, static_cast<btScalar>(kStep / substeps_));
+    note_crossings();
+    return {std::min(due, most) / substeps_, std::max(0, due - most) * kStep / substeps_};
   }
 
   Pose pose(BodyIndex index) const override { return at(index).pose(); }
@@ -318,15 +326,19 @@ class StockSimulation final : public Simulation {
     else if (body.rigid) world_.removeRigidBody(body.rigid.get());
   }
 
+  void note_crossings() {
+    for (int i = 0; i < static_cast<int>(bodies_.size()); ++i)
+      if (bodies_[static_cast<std::size_t>(i)].ghost) note_crossings(i);
+  }
   void note_crossings(int trigger) {
     StockBody& body = at(trigger);
     std::vector<int> inside;
     for (int i = 0; i < body.ghost->getNumOverlappingObjects(); ++i) inside.push_back(body.ghost->getOverlappingObject(i)->getUserIndex());
     std::sort(inside.begin(), inside.end());
     for (const int other : body.inside)
-      if (!std::binary_search(inside.begin(), inside.end(), other)) crossings_.push_back({trigger, other, false});
+      if (!std::binary_search(inside.begin(), inside.end(), other)) crossings_.push_back({trigger, other, false, {}});
     for (const int other : inside)
-      if (!std::binary_search(body.inside.begin(), body.inside.end(), other)) crossings_.push_back({trigger, other, true});
+      if (!std::binary_search(body.inside.begin(), body.inside.end(), other)) crossings_.push_back({trigger, other, true, {}});
     body.inside = std::move(inside);
   }
 

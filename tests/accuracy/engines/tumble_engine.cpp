@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "accuracy/engines/engines.h"
+#include "base/fixed_clock.h"
 #include "physics/world.h"
 
 namespace tumble::accuracy {
@@ -10,7 +11,7 @@ namespace {
 
 class TumbleSimulation final : public Simulation {
  public:
-  TumbleSimulation(const SceneSettings& settings, const Knobs& knobs) : world_(world_settings(settings, knobs)) {}
+  TumbleSimulation(const SceneSettings& settings, const Knobs& knobs) : world_(world_settings(settings, knobs)), clock_(kTick, settings.most_ticks) {}
 
   BodyIndex add(const BodyDef& body, const Pose& pose) override {
     const BodyIndex index = static_cast<BodyIndex>(bodies_.size());
@@ -66,8 +67,17 @@ class TumbleSimulation final : public Simulation {
       if (!event.trigger || event.kind == EventKind::stay) continue;
       const BodyIndex a = static_cast<BodyIndex>(event.user_a), b = static_cast<BodyIndex>(event.user_b);
       const bool first = triggers_[static_cast<std::size_t>(a)];
-      crossings_.push_back({first ? a : b, first ? b : a, event.kind == EventKind::enter});
+      crossings_.push_back({first ? a : b, first ? b : a, event.kind == EventKind::enter, event.time});
     }
+  }
+  // As the app's loop does.
+  Frame frame(double seconds) override {
+    Frame frame;
+    const double dropped = clock_.dropped_seconds();
+    clock_.begin_frame(seconds);
+    for (; clock_.take_tick(); ++frame.ticks) step(kTick);
+    frame.dropped = clock_.dropped_seconds() - dropped;
+    return frame;
   }
 
   Pose pose(BodyIndex body) const override { return world_.pose(id(body)); }
@@ -93,6 +103,8 @@ class TumbleSimulation final : public Simulation {
   int contact_points() const override { return world_.stats().contacts; }
 
  private:
+  static constexpr double kTick = 1.0 / 60;
+
   static WorldSettings world_settings(const SceneSettings& settings, const Knobs& knobs) {
     WorldSettings out;
     out.gravity = settings.gravity;
@@ -124,6 +136,7 @@ class TumbleSimulation final : public Simulation {
   }
 
   World world_;
+  FixedClock clock_;
   std::vector<BodyId> bodies_;
   std::vector<bool> triggers_;
   std::vector<JointId> joints_;
