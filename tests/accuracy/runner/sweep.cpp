@@ -43,11 +43,13 @@ const Recorder* costliest(const Trial& trial) {
   return best;
 }
 
-double cost_budget_ms(Effort effort) {
+// In a full run at the default as much as both engines need for the whole scene, if they need alike: a pile's fall says
+// nothing of the pile.
+double cost_budget_ms(Effort effort, bool at_default, double scene_ms) {
   switch (effort) {
     case Effort::test: return 0;
     case Effort::quick: return 40;
-    default: return 400;
+    default: return at_default ? std::clamp(2.5 * scene_ms, 400.0, 6000.0) : 400;
   }
 }
 
@@ -112,8 +114,9 @@ Row run_try(const Case& c, const EngineKind& engine, const Try& attempt, const O
   row.simulated = scene->simulated();
   row.bodies = scene->bodies();
   row.contact_points = scene->mean_contact_points();
-  if (cost_budget_ms(options.effort) <= 0) return row;
-  if (const auto cost = measure_cost(*scene, engine, attempt.knobs, cost_budget_ms(options.effort))) {
+  const double budget_ms = cost_budget_ms(options.effort, attempt.is_default, scene->step_ms());
+  if (budget_ms <= 0) return row;
+  if (const auto cost = measure_cost(*scene, engine, attempt.knobs, budget_ms)) {
     row.us_per_tick = cost->us_per_tick;
     row.cost = cost->ratio;
     row.cost_low = cost->low;

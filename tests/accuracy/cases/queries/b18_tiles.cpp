@@ -22,6 +22,8 @@ Runner sphere() {
   return r;
 }
 Runner cube() { return {"box", dynamic(box({1, 1, 1}), 1), {{0, 0.5, 0}, {}}}; }
+// That fits on one tile beside its edge: a cube of 1 m would stand on the rising tile there, and rightly slide to the middle.
+Runner small_cube() { return {"box of 0.4 m", dynamic(box({0.4, 0.4, 0.4}), 1), {{0, 0.2, 0}, {}}}; }
 Runner capsule() {
   Runner r{"capsule", dynamic(upright(ShapeKind::capsule, 0.3, 1.8), 1), {{0, 0.9, 0}, {}}};
   r.body.lock_rotation = "xyz";
@@ -102,8 +104,8 @@ Case b18_tiles() {
     add(runner, "two boxes", two_boxes);
     add(runner, "compound", compound);
     add(runner, "T junctions", of_shape(tiled_with_t_junctions(20)));
-    add(runner, "valley", of_shape(tiled(ShapeKind::mesh, 20, valley)));
   }
+  for (const Runner& runner : {sphere(), small_cube()}) add(runner, "valley", of_shape(tiled(ShapeKind::mesh, 20, valley)));
   return c;
 }
 
