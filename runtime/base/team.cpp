@@ -33,7 +33,7 @@ int there_are(int wanted) {
 
 }  // namespace
 
-Team::Team(int threads) : asked_for_(threads), size_(there_are(threads)) {}
+Team::Team(int threads) : asked_for_(threads), size_(there_are(threads)), shares_(static_cast<std::size_t>(size_)) {}
 
 Team::~Team() {
   ended_ = true;
@@ -43,7 +43,7 @@ Team::~Team() {
 }
 
 void Team::start() {
-  for (int i = 1; i < size_; ++i) helpers_.emplace_back([this] { help(); });
+  for (int i = 1; i < size_; ++i) helpers_.emplace_back([this, i] { help(static_cast<std::size_t>(i)); });
 }
 
 // A helper that comes late finds the work closed and leaves; one that is inside is waited for. So the caller goes on
@@ -52,13 +52,16 @@ void Team::share(std::size_t count, std::size_t grain, Call call, void* with) {
   if (helpers_.empty()) start();
   call_ = call;
   with_ = with;
-  count_ = count;
   grain_ = grain;
-  next_ = 0;
+  const std::size_t parts = (count + grain - 1) / grain, each = (parts + shares_.size() - 1) / shares_.size() * grain;
+  for (std::size_t i = 0; i < shares_.size(); ++i) {
+    shares_[i].next = std::min(count, i * each);
+    shares_[i].end = std::min(count, (i + 1) * each);
+  }
   open_ = true;
   ++round_;
   round_.notify_all();
-  take_part();
+  take_part(0);
   open_ = false;
   for (int looks = 0; inside_ != 0; ++looks) {
     if (looks < kPatience) pause();
@@ -66,22 +69,27 @@ void Team::share(std::size_t count, std::size_t grain, Call call, void* with) {
   }
 }
 
-void Team::take_part() {
-  for (;;) {
-    const std::size_t from = next_.fetch_add(grain_);
-    if (from >= count_) return;
-    call_(with_, from, std::min(count_, from + grain_));
+// First the own share, which is the same piece of work's part as last time and thus in this processor's cache; then what is
+// left of others'.
+void Team::take_part(std::size_t own) {
+  for (std::size_t i = 0; i < shares_.size(); ++i) {
+    Share& share = shares_[(own + i) % shares_.size()];
+    for (;;) {
+      const std::size_t from = share.next.fetch_add(grain_);
+      if (from >= share.end) break;
+      call_(with_, from, std::min(share.end, from + grain_));
+    }
   }
 }
 
-void Team::help() {
+void Team::help(std::size_t own) {
   unsigned known = 0;
   while (!ended_) {
     for (int looks = 0; looks < kLooks && round_ == known; ++looks) pause();
     round_.wait(known);
     known = round_;
     ++inside_;
-    if (open_) take_part();
+    if (open_) take_part(own);
     --inside_;
   }
 }

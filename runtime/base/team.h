@@ -37,8 +37,14 @@ class Team {
   using Call = void (*)(void* with, std::size_t from, std::size_t to);
   void share(std::size_t count, std::size_t grain, Call call, void* with);
   void start();
-  void take_part();
-  void help();
+  void take_part(std::size_t own);
+  void help(std::size_t own);
+
+  // What nobody has taken yet of one thread's share.
+  struct alignas(64) Share {
+    std::atomic<std::size_t> next{0};
+    std::size_t end = 0;
+  };
 
   const int asked_for_, size_;
   std::vector<std::thread> helpers_;
@@ -46,9 +52,9 @@ class Team {
   // The work: written while nobody is inside and `open_` is false.
   Call call_ = nullptr;
   void* with_ = nullptr;
-  std::size_t count_ = 0, grain_ = 1;
+  std::size_t grain_ = 1;
+  std::vector<Share> shares_;  // one a thread
 
-  alignas(64) std::atomic<std::size_t> next_{0};      // what nobody has taken yet
   alignas(64) std::atomic<bool> open_{false};         // may helpers come in?
   alignas(64) std::atomic<int> inside_{0};            // helpers that may look at the work
   alignas(64) std::atomic<unsigned> round_{0};        // goes up with each piece of work, and at the end

@@ -8,6 +8,7 @@
 ---@field profile string What accuracy may cost: "fast", "balanced" or "exact" take 2, 4 or 16 substeps at least.
 ---@field substeps integer? How many small steps make a tick, at least, in place of the profile's; nil: as the profile says.
 ---@field iterations integer How often, at least, the solver goes over the contacts in each half of a substep; a blow takes more.
+---@field threads integer How many threads a tick's physics may use, at most; more than the machine has are not taken. Nothing but its time depends on it.
 ---@field default_friction number Friction of a body that gives none.
 ---@field default_restitution number Restitution of a body that gives none.
 ---@field debug_view string What F3 steps through: none, colliders, joints, boxes, contacts, rays, velocities, names, or physics: all but boxes and names.
@@ -100,6 +101,7 @@ function physics.stats() end
 ---@field default_restitution? number Of a body that gives none.
 ---@field friction_combine? "average"|"min"|"max"|"multiply" How the frictions of two bodies become one.
 ---@field restitution_combine? "average"|"min"|"max"|"multiply" The same for restitution.
+---@field threads? integer That a step may use, at most. Nothing but the time depends on them.
 ---@field groups? (string)[]|string Names of collision groups, at most 31.
 
 ---@class filter_options
