@@ -118,3 +118,22 @@ TEST_CASE("bounces: a ball that is moved does not sink into the one it hits", "[
   }
   CHECK(deepest < 1e-3);
 }
+
+TEST_CASE("bounces: an exit tells where they last touched", "[physics]") {
+  Scene scene;
+  scene.add(body(box({40, 1, 40}), BodyType::fixed), {0, -0.5, 0});
+  for (int i = 0; i < 40; ++i) {
+    const BodyId id = scene.add(bouncing(box({0.3, 0.5, 0.2}), 0.3), {0.8 * (i % 8), 1 + 0.1 * i, 0.8 * (i / 8)});
+    scene.world.set_angular_velocity(id, {0.5 * i, 3, -0.3 * i});
+  }
+  int exits = 0;
+  for (int i = 0; i < 300; ++i) {
+    scene.world.step(kTick);
+    for (const ContactEvent& event : scene.world.take_events().contacts) {
+      if (event.kind != EventKind::exit) continue;
+      ++exits;
+      CHECK(length(event.normal) == Approx(1));
+    }
+  }
+  CHECK(exits > 50);
+}

@@ -174,3 +174,42 @@ TEST_CASE("changes: damping of any strength leaves a heap finite", "[physics]") 
     for (std::size_t i = 0; i < ids.size(); ++i) CHECK(scene.at(ids[i]).y == Approx(0.5 + 1.005 * static_cast<double>(i)).margin(0.02));
   }
 }
+
+TEST_CASE("changes: a slow belt carries on, and does not lay its load to sleep", "[physics]") {
+  Sleeper at;
+  BodyDef belt = at.scene.world.def(at.floor);
+  belt.surface_velocity = {0.004, 0, 0};
+  at.scene.world.configure(at.floor, belt);
+  at.scene.run(5);
+  CHECK(at.scene.at(at.box_id).x == Approx(0.02).epsilon(0.05));
+}
+
+TEST_CASE("changes: a joint tells the same force at any length of a step", "[physics]") {
+  for (const double step : {1.0 / 60, 0.1, 0.2}) {
+    Scene scene;
+    const BodyId id = scene.add(body(box({1, 1, 1})), {0, 5, 0});
+    JointDef def;
+    def.a = id;
+    def.anchor = {0, 5, 0};
+    def.kind = FixedDef{};
+    const JointId joint = scene.world.add(def, 0);
+    scene.run(1, step);
+    CHECK(length(scene.world.state(joint).force) == Approx(9.81 * scene.world.mass_properties(id).mass).epsilon(1e-3));
+  }
+}
+
+TEST_CASE("changes: a body that is pushed hard does not go through what is thin", "[physics]") {
+  for (const double pull : {200.0, 400.0, 2000.0})
+    for (int start = 0; start < 40; ++start) {
+      Scene scene(weightless());
+      scene.add(body(box({2, 0.01, 2}), BodyType::fixed), {});
+      const BodyId id = scene.add(body(ball(0.01)), {0, 0.015 + 0.001 * start, 0});
+      const double mass = scene.world.mass_properties(id).mass;
+      for (int i = 0; i < 30; ++i) {
+        scene.world.apply_force(id, {0, -pull * mass, 0});
+        scene.world.step(kTick);
+      }
+      INFO(pull << " m/s^2 from " << start << " mm");
+      CHECK(scene.at(id).y > 0);
+    }
+}

@@ -200,3 +200,24 @@ TEST_CASE("triggers: what is thrown up into one and falls out again has the time
   CHECK(scene.entered[0] == exactly((4.62 - root) / 9.81));
   CHECK(scene.left[0] == exactly((4.62 + root) / 9.81));
 }
+
+TEST_CASE("triggers: a beam that turns hears what it lies on", "[physics]") {
+  for (const double step : {4.0, 10.0})
+    for (int k = 1; k <= 8; ++k) {
+      Scene scene(weightless());
+      BodyDef beam;
+      beam.type = BodyType::kinematic;
+      beam.colliders = {collider(box({10, 0.2, 0.2}), {5.1, 0, 0})};
+      beam.colliders[0].trigger = true;
+      const BodyId turning = scene.add(beam, {});
+      const double angle = radians(step * k);
+      scene.add(body(ball(0.05)), {9.5 * std::cos(angle), 9.5 * std::sin(angle), 0});
+      int enters = 0;
+      for (int i = 1; i <= 10; ++i) {
+        scene.world.move(turning, {{}, axis_angle({0, 0, 1}, radians(step * i))});
+        scene.world.step(kTick);
+        enters += count(scene.world.take_events().contacts, EventKind::enter, true);
+      }
+      CHECK(enters == 1);
+    }
+}

@@ -71,6 +71,7 @@ void BodyPair::look_anew(double margin) {
 void BodyPair::write(const pairs::Manifold& found) {
   Contact& contact = kept_->contact;
   if (found.count == 0) {
+    if (kept_->pair) told(*kept_->pair);  // of the last touch, which its exit tells too
     contact.count = 0;
     contact.grip = contact.roll = {};
     contact.lift = 0;

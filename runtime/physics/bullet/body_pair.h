@@ -31,7 +31,7 @@ class BodyPair {
   BodyPair(const BodyPair&) = delete;
   BodyPair& operator=(const BodyPair&) = delete;
 
-  // What may touch within a step in which gravity alone takes a body so far (m). `margin` is asked for only where the last
+  // What may touch within a step in which what pulls them takes them nearer by so much (m). `margin` is asked for only where the last
   // look does not hold any more. Looks of different pairs do not depend on each other.
   template <class Margin>
   void look(double fall, const Margin& margin) {

@@ -32,6 +32,15 @@ bool own_materials(const BodyDef& def) {
   return false;
 }
 
+// How far its farthest corner may be from its origin, at most.
+double extent_of(const btCollisionShape& shape) {
+  btVector3 low, high;
+  shape.getAabb(btTransform::getIdentity(), low, high);
+  high = high.absolute();
+  high.setMax(low.absolute());
+  return high.length();
+}
+
 int flags_of(const BodyDef& def) {
   int flags = own_materials(def) ? btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK : 0;
   if (def.type == BodyType::fixed) flags |= btCollisionObject::CF_STATIC_OBJECT;
@@ -119,12 +128,8 @@ void build(BodyState& body, const Pose& pose) {
   const std::vector<Piece>& pieces = body.solids->pieces();
   body.is_convex = pieces.size() == 1 && convex_of(*pieces[0].shape, body.convex);
   body.convex_at = body.is_convex ? from_bullet(pieces[0].local) : Pose{};
-  btVector3 low, high;
-  body.rigid->getCollisionShape()->getAabb(btTransform::getIdentity(), low, high);
-  low = low.absolute();
-  high = high.absolute();
-  high.setMax(low);
-  body.extent = high.length();
+  body.extent = extent_of(*body.rigid->getCollisionShape());
+  body.trigger_extent = body.ghost ? extent_of(*body.ghost->getCollisionShape()) : 0;
 }
 
 }  // namespace tumble

@@ -44,6 +44,7 @@ struct BodyState {
   // What each look at a pair needs, side by side.
   double travel = 0;              // m, how far its surface has gone in all steps
   double ahead = 0;               // m, how far it goes in the next, as it moves now
+  double fall = 0;                // m, how far what pulls it takes it in the next, from rest
   unsigned placed = 0;            // how often it was put somewhere other than by the solver
   Boxed boxed;
   bool active = false;            // dynamic and awake, or kinematic and just now moved: see awake.h
@@ -53,6 +54,7 @@ struct BodyState {
   bool has_belt = false;          // its surface runs
   dynamics::Mover* mover = nullptr;    // during a step
   double extent = 0;              // distance of its outermost point from its centre, m
+  double trigger_extent = 0;      // the same of its triggers
   Pose center;                    // where its centre of mass and its principal axes are
   pairs::Convex convex;
   Pose convex_at;                 // in the frame of `center`

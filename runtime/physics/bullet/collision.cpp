@@ -15,6 +15,7 @@ namespace {
 // Contacts are looked for this far ahead beside what the bodies' speeds ask for, m, but no farther than this part of the
 // smaller body.
 constexpr double kMargin = 0.01, kMarginPart = 0.2, kTriggerMargin = 1e-9;
+constexpr double kFastestPull = 1e6;  // m/s^2: what is pulled harder is not looked after
 constexpr int kMostLooks = 200;  // into a trigger, of a fast body
 // Boxes are larger than need be by this, m, or this part of the body; and made anew where they are by so many times that.
 constexpr double kSpare = 0.02, kSparePart = 0.2, kMostSpare = 4;
@@ -74,15 +75,24 @@ void Collision::fit(Occupant& occupant, const btVector3& way, double around) {
 
 // A step ends with boxes for queries, and the next begins with the same ones unless somebody did something in between.
 void Collision::fit(BodyState& body) {
+  body.fall = pull_on(body) * seconds_ * seconds_;
   const Boxed now{body.travel, body.placed, from_bullet(body.rigid->getLinearVelocity()), from_bullet(body.rigid->getAngularVelocity()),
-                  seconds_, fall_};
+                  seconds_, body.fall};
   if (now == body.boxed) return;
   body.boxed = now;
-  const double spinning = whirl(body) * seconds_, around = std::min(kMargin, kMarginPart * body.extent) + fall_ + spinning;
+  const double turning = body.rigid->getAngularVelocity().length() * seconds_;
+  const double around = std::min(kMargin, kMarginPart * body.extent) + body.fall;
   const btVector3 way = body.rigid->getLinearVelocity() * seconds_;
-  body.ahead = way.length() + spinning;
-  if (!body.solids->empty()) fit(body.solid_box, way, around);
-  if (body.ghost) fit(body.trigger_box, way, around);
+  body.ahead = way.length() + turning * body.extent;
+  if (!body.solids->empty()) fit(body.solid_box, way, around + turning * body.extent);
+  if (body.ghost) fit(body.trigger_box, way, around + turning * body.trigger_extent);
+}
+
+// m/s^2, of gravity and of what pushes it in the next step.
+double Collision::pull_on(const BodyState& body) const {
+  if (!body.dynamic()) return 0;
+  const double pull = length(gravity_ * body.def.gravity_factor + body.force * (body.mass.mass > 0 ? 1 / body.mass.mass : 0));
+  return pull < kFastestPull ? pull : kFastestPull;
 }
 
 void Collision::fit_boxes(const std::vector<BodyState*>& carriers) {
@@ -99,13 +109,13 @@ double Collision::margin_of(const BodyState& a, const BodyState& b) const {
   // A body that is not to be looked after goes through what is thinner than its way.
   for (const BodyState* body : {&a, &b})
     if (body->dynamic() && !body->def.continuous.value_or(true)) way = std::min(way, inner_radius(body->def));
-  return std::min(kMargin, kMarginPart * smaller) + way + fall_;
+  return std::min(kMargin, kMarginPart * smaller) + way + std::max(a.fall, b.fall);
 }
 
 // May they touch there before the step is over? Points are also found beside the way of what flies past.
 bool Collision::comes_to(const BodyState& a, const BodyState& b, Vec3 normal, double separation) const {
   const double closing = dot(from_bullet(b.rigid->getLinearVelocity() - a.rigid->getLinearVelocity()), normal) + whirl(a) + whirl(b);
-  return separation <= kMargin + std::max(closing, 0.0) * seconds_ + fall_;
+  return separation <= kMargin + std::max(closing, 0.0) * seconds_ + std::max(a.fall, b.fall);
 }
 
 bool Collision::any_near(Overlap& overlap) {
@@ -133,7 +143,8 @@ void Collision::wake_by(Overlap& overlap) {
 }
 
 void Collision::look_at_bodies(Overlap& overlap) const {
-  overlap.pair->look(fall_, [&] { return margin_of(*overlap.a->body, *overlap.b->body); });
+  const BodyState &a = *overlap.a->body, &b = *overlap.b->body;
+  overlap.pair->look(std::max(a.fall, b.fall), [&] { return margin_of(a, b); });
 }
 
 void Collision::look_at(Overlap& overlap) {
@@ -146,7 +157,7 @@ void Collision::look_at(Overlap& overlap) {
 void Collision::look(double seconds, Vec3 gravity, const std::vector<BodyState*>& carriers, Team& team) {
   constexpr std::size_t kPairs = 64;  // that are worth handing to another thread
   seconds_ = seconds;
-  fall_ = length(gravity) * seconds * seconds;
+  gravity_ = gravity;
   fit_boxes(carriers);
   overlaps_.tidy();
   if (overlaps_.left_out()) overlaps_.meet_again(awake_.bodies());

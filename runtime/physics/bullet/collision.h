@@ -51,6 +51,7 @@ class Collision {
 
  private:
   void fit(Occupant& occupant, const btVector3& way, double around);
+  double pull_on(const BodyState& body) const;
   double margin_of(const BodyState& a, const BodyState& b) const;
   void look_at(Overlap& overlap);
   void look_at_bodies(Overlap& overlap) const;
@@ -67,7 +68,7 @@ class Collision {
   btManifoldArray manifolds_;
   std::vector<Passage> passages_;
   double seconds_ = 0;      // of the step that is to come
-  double fall_ = 0;         // m: how far gravity alone takes a body in it
+  Vec3 gravity_;            // in it
 };
 
 }  // namespace tumble

@@ -75,7 +75,8 @@ struct World::Impl {
   void settle_carriers();
   bool keeps_still(BodyState& body) const;
   bool is_still(BodyState& body, double seconds) const;
-  void break_joints(double seconds);
+  void note_joint_forces(double seconds, bool first);
+  void break_joints();
   void quarantine(BodyState& body);
 };
 

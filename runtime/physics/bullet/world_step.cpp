@@ -65,7 +65,7 @@ void World::Impl::step(double seconds) {
   if (!(seconds > 0)) return;
   const double started = thread_ms();
   begin_step(seconds);
-  const int passes = std::clamp(static_cast<int>(std::ceil(seconds / kLongestPass)), 1, kMostPasses);
+  const int passes = static_cast<int>(std::ceil(std::min<double>(kMostPasses, seconds / kLongestPass)));
   if (passes > 1)
     for (BodyState* body : carriers) body->path.ramp = {0, 0, 0};
   const double part = seconds / passes;
@@ -74,6 +74,7 @@ void World::Impl::step(double seconds) {
     solver.begin(settings, awake.bodies(), carriers, live, collision, part);
     solver.run(part, settings.least_substeps(), std::max(1, settings.iterations), *team);
     solver.end(part);
+    note_joint_forces(seconds, pass == 0);
   }
   end_step(seconds);
   step_ms = thread_ms() - started;
@@ -81,10 +82,11 @@ void World::Impl::step(double seconds) {
 
 void World::Impl::begin_step(double seconds) {
   book.begin_step();
-  for (JointPart* joint : live)  // one of two that are joined may have been put to sleep alone
-    if (joint->awake())
-      for (BodyState* body : {joint->a, joint->b})
-        if (body && !body->active) wake(*body);
+  for (JointPart* joint : live) {
+    if (!joint->awake()) continue;
+    for (BodyState* body : {joint->a, joint->b})  // one of two that are joined may have been put to sleep alone
+      if (body && !body->active) wake(*body);
+  }
   awake.sort();
   lose_insane();
   for (BodyState* body : awake.bodies()) {
@@ -132,7 +134,7 @@ void World::Impl::end_step(double seconds) {
   collision.look_into_triggers(seconds, carriers);
   book.observe(collision);
   book.end_step(seconds, awake.bodies(), carriers, events);
-  break_joints(seconds);
+  break_joints();
   awake.sort();  // a joint that broke woke its bodies
   settle(seconds);
   settle_carriers();
@@ -161,6 +163,7 @@ void World::Impl::settle_carriers() {
 
 bool World::Impl::is_still(BodyState& body, double seconds) const {
   bool still = settings.sleeping && body.def.can_sleep && keeps_still(body);
+  for (const Pair* pair : body.pairs) still = still && (pair->trigger || !(pair->a == &body ? pair->b : pair->a)->has_belt);
   for (const JointPart* joint : body.joints) still = still && !(joint->live && joint->has_motor);
   body.still_seconds = still ? body.still_seconds + seconds : 0;
   return body.still_seconds >= kStillSeconds;
@@ -175,12 +178,19 @@ bool World::Impl::keeps_still(BodyState& body) const {
   return false;
 }
 
-void World::Impl::break_joints(double seconds) {
+// Means over the step, of which this is a part.
+void World::Impl::note_joint_forces(double seconds, bool first) {
+  for (JointPart* joint : live) {
+    if (!joint->awake()) continue;
+    joint->force = (first ? Vec3{} : joint->force) + joint->link.impulse / seconds;
+    joint->torque = (first ? Vec3{} : joint->torque) + joint->link.twist / seconds;
+  }
+}
+
+void World::Impl::break_joints() {
   std::vector<JointPart*> broken;
   for (JointPart* joint : live) {
     if (!joint->awake()) continue;
-    joint->force = joint->link.impulse / seconds;
-    joint->torque = joint->link.twist / seconds;
     if (length(joint->force) > joint->def.break_force || length(joint->torque) > joint->def.break_torque) broken.push_back(joint);
   }
   for (JointPart* joint : broken) {

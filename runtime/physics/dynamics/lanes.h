@@ -22,10 +22,6 @@ template <class F>
 F larger(F a, F b) {
   return a > b ? a : b;
 }
-template <class F>
-F smaller(F a, F b) {
-  return a < b ? a : b;
-}
 inline float& lane(float& f, int) { return f; }
 inline float lane(const float& f, int) { return f; }
 inline auto lane(Four& f, int i) -> decltype(f[0]) { return f[i]; }
