@@ -75,8 +75,9 @@ inline void load(const Motion* all, const int* at, Motions<float>& out) {
   const Motion& m = all[at[0]];
   out = {{m.along[0], m.along[1], m.along[2]}, {m.about[0], m.about[1], m.about[2]}};
 }
+// Not of number 0, which is all that cannot be pushed: other threads read it.
 inline void store(Motion* all, const int* at, const Motions<float>& m) {
-  all[at[0]] = {{m.along.x, m.along.y, m.along.z, 0}, {m.about.x, m.about.y, m.about.z, 0}};
+  if (at[0]) all[at[0]] = {{m.along.x, m.along.y, m.along.z, 0}, {m.about.x, m.about.y, m.about.z, 0}};
 }
 
 inline void transpose(Four& a, Four& b, Four& c, Four& d) {
@@ -99,12 +100,14 @@ inline void load(const Motion* all, const int* at, Motions<Four>& out) {
   out.about = {a, b, c};
 }
 inline void store(Motion* all, const int* at, const Motions<Four>& m) {
-  Four a = m.along.x, b = m.along.y, c = m.along.z, d{};
-  transpose(a, b, c, d);
-  four(all[at[0]].along) = a, four(all[at[1]].along) = b, four(all[at[2]].along) = c, four(all[at[3]].along) = d;
-  a = m.about.x, b = m.about.y, c = m.about.z, d = Four{};
-  transpose(a, b, c, d);
-  four(all[at[0]].about) = a, four(all[at[1]].about) = b, four(all[at[2]].about) = c, four(all[at[3]].about) = d;
+  Four along[4] = {m.along.x, m.along.y, m.along.z, {}}, about[4] = {m.about.x, m.about.y, m.about.z, {}};
+  transpose(along[0], along[1], along[2], along[3]);
+  transpose(about[0], about[1], about[2], about[3]);
+  for (int i = 0; i < 4; ++i) {
+    if (!at[i]) continue;
+    four(all[at[i]].along) = along[i];
+    four(all[at[i]].about) = about[i];
+  }
 }
 
 }  // namespace tumble::dynamics
