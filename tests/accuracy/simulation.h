@@ -33,8 +33,8 @@ struct Knobs {
 struct SceneSettings {
   Vec3 gravity{0, -9.81, 0};
   bool sleeping = false;
+  int most_ticks = 6;        // that a frame() catches up with
   int threads = 1;           // costs are told of one thread
-  int most_ticks = 6;     // that a frame() catches up with
 };
 
 // A joint whose partners are bodies of the scene; `def.a` and `def.b` are not read.

@@ -19,7 +19,9 @@ constexpr std::size_t kCrowd = 60;   // contacts from which on fast bodies are n
 constexpr double kQuiet = 1, kLoose = 25;
 constexpr double kLeastKept = 1e-30;  // of a velocity, in a substep
 constexpr int kFewRounds = 4, kMostRounds = 80;
-constexpr std::size_t kMostSolves = 1'000'000;  // contacts times rounds: a tick is not to take seconds for one blow
+// Contacts times rounds: a tick is not to take seconds for one blow. Where bodies have more contacts than ever lie around
+// one, they were put into each other, and there is nothing to be got right yet.
+constexpr double kMostSolves = 1e6, kMostAround = 10;
 constexpr std::size_t kBodies = 128, kBatches = 24;  // that are worth handing to another thread
 constexpr int kColors = 63;          // and one more for what has neighbours in all of them, a contact to a batch
 
@@ -328,7 +330,8 @@ bool HeapOf<F>::solve_batch(Batch<F>& batch, int round, int least, const Aim& ai
 template <class F>
 void HeapOf<F>::solve_in_rounds(int least, const Aim& aim, Team& team) {
   std::fill(stirred_.begin(), stirred_.end(), -1);
-  const auto affordable = static_cast<int>(kMostSolves / std::max<std::size_t>(1, members_.size()));
+  const double contacts = std::max(1.0, static_cast<double>(members_.size())), crowd = kMostAround * static_cast<double>(records_.size()) / contacts;
+  const auto affordable = static_cast<int>(kMostSolves / contacts * std::min(1.0, crowd));
   const int most = std::clamp(affordable, std::max(least, kFewRounds), std::max(least, kMostRounds));
   for (int round = 0; round < most; ++round) {
     std::atomic<bool> any = false;
