@@ -12,8 +12,6 @@ namespace tumble::dynamics {
 
 namespace {
 
-constexpr std::size_t kFewest = 8, kFewBodies = 3;  // contacts, or bodies
-constexpr std::size_t kCrowd = 60;   // contacts from which on fast bodies are not looked at in each substep
 // Rounds go on, where it still runs, while speeds change by more than so many m/s for each second of a substep: a few rounds
 // until a stack does not tremble, and many while a blow goes through it.
 constexpr double kQuiet = 1, kLoose = 25;
@@ -24,12 +22,6 @@ constexpr int kFewRounds = 4, kMostRounds = 80;
 constexpr double kMostSolves = 1e6, kMostAround = 10;
 constexpr std::size_t kBodies = 128, kBatches = 24;  // that are worth handing to another thread
 constexpr int kColors = 63;          // and one more for what has neighbours in all of them, a contact to a batch
-
-bool plain(const Mover& mover) {
-  if (!mover.pushable) return true;
-  const Vec3 i = mover.inertia, m = mover.inverse_mass;
-  return mover.turn_factor == Vec3{1, 1, 1} && m.x > 0 && m.x == m.y && m.x == m.z && i.x > 0 && i.y > 0 && i.z > 0 && !mover.bound;
-}
 
 void set(Motion& motion, double along, double about) {
   for (int k = 0; k < 3; ++k) {
@@ -51,13 +43,6 @@ void turn_arm(Quat turned, Vec3 hub, Vec3 axis, Vec3 out, Vec3& arm) {
 }
 
 }  // namespace
-
-bool is_heap(const Island& island) {
-  if ((island.contacts.size() < kFewest && island.movers.size() < kFewBodies) || !island.mechanisms.empty() || island.bouncy) return false;
-  if (!island.looks.empty() && island.contacts.size() < kCrowd) return false;
-  if (std::any_of(island.contacts.begin(), island.contacts.end(), [](const Contact* contact) { return contact->rolling > 0 || contact->spinning > 0; })) return false;
-  return std::all_of(island.movers.begin(), island.movers.end(), [](const Mover* mover) { return plain(*mover); });
-}
 
 template <class F>
 template <class Each>
