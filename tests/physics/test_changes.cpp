@@ -15,15 +15,18 @@ struct Sleeper {
     scene.run(3);
     REQUIRE(scene.world.asleep(box_id));
   }
+  void make_belt(double speed) {
+    BodyDef belt = scene.world.def(floor);
+    belt.surface_velocity = {speed, 0, 0};
+    scene.world.configure(floor, belt);
+  }
 };
 
 }  // namespace
 
 TEST_CASE("changes: a floor that becomes a belt carries what slept on it", "[physics]") {
   Sleeper at;
-  BodyDef belt = at.scene.world.def(at.floor);
-  belt.surface_velocity = {2, 0, 0};
-  at.scene.world.configure(at.floor, belt);
+  at.make_belt(2);
   at.scene.run(2);
   CHECK(at.scene.at(at.box_id).x > 2);
 }
@@ -177,9 +180,7 @@ TEST_CASE("changes: damping of any strength leaves a heap finite", "[physics]") 
 
 TEST_CASE("changes: a slow belt carries on, and does not lay its load to sleep", "[physics]") {
   Sleeper at;
-  BodyDef belt = at.scene.world.def(at.floor);
-  belt.surface_velocity = {0.004, 0, 0};
-  at.scene.world.configure(at.floor, belt);
+  at.make_belt(0.004);
   at.scene.run(5);
   CHECK(at.scene.at(at.box_id).x == Approx(0.02).epsilon(0.05));
 }

@@ -13,8 +13,6 @@ constexpr double kMostPart = 1e-2;
 constexpr double kKeepsTo = 1e-4;
 constexpr double kSameStep = 1e-9;
 
-double mass_of(const Mover& mover) { return reciprocal(std::max({mover.inverse_mass.x, mover.inverse_mass.y, mover.inverse_mass.z})); }
-
 struct Rigid {
   Vec3 center, velocity, spin;
   Vec3 velocity_at(Vec3 place) const { return velocity + cross(spin, place - center); }

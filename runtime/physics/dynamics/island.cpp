@@ -90,8 +90,6 @@ double nutation(const Mover& mover) {
   return about(spin.x, i.x, i.y, i.z) + about(spin.y, i.y, i.x, i.z) + about(spin.z, i.z, i.x, i.y);
 }
 
-double mass_of(const Mover& mover) { return reciprocal(std::max({mover.inverse_mass.x, mover.inverse_mass.y, mover.inverse_mass.z})); }
-
 // Where something heavy comes to lie on something light nothing presses yet: their masses tell what will.
 double first_load(const Contact& contact, double seconds) {
   if (!contact.a->pushable || !contact.b->pushable || contact.pressing() > 0) return 0;

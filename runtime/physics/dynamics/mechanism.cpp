@@ -17,7 +17,6 @@ constexpr int kGapRounds = 2;
 constexpr double kMostRepair = 2e-2, kMostRepairOfLoops = 2e-4;
 // Of what whipped so much remains to be reckoned with after a step, of so much at most.
 constexpr double kRemembered = 0.95, kMostRemembered = 5e-3;
-
 // More than this is not closed in one round, m or rad: after a jump the rows of before are far from those of then.
 constexpr double kMostGap = 0.2;
 // What repairs add to the diagonal, as parts of it; less than the last time is tried once in so many substeps.
@@ -316,6 +315,7 @@ void Mechanism::move(const Eigen::VectorXd& shifts, double rate) {
     const Row& row = rows_[i];
     const double shift = -shifts[static_cast<Eigen::Index>(i)];
     const auto add = [shift](Mover& mover, Vec3 way, Vec3 turn, Vec3 linear, Vec3 angular) {
+      if (!mover.pushable) return;
       mover.way += way * shift;
       mover.turn += turn * shift;
       mover.impulse += linear * shift;
@@ -340,6 +340,7 @@ void Mechanism::note_stiffness(double h) {
     mover->stiff_axis = {};
   }
   const auto add = [h](Mover& mover, Vec3 linear, Vec3 anchor, double impulse) {
+    if (!mover.pushable) return;
     const Vec3 arm = anchor - mover.position;
     mover.stiffness += h * impulse * dot(linear, arm);
     if (dot(arm, arm) > dot(mover.stiff_axis, mover.stiff_axis)) mover.stiff_axis = arm;

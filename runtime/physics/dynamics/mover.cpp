@@ -1,5 +1,7 @@
 #include "physics/dynamics/mover.h"
 
+#include <algorithm>
+
 #include "physics/dynamics/rotation.h"
 
 namespace tumble::dynamics {
@@ -72,10 +74,13 @@ void Mover::refresh() {
   inverse_inertia = inverse_with_factors(whole, turn_factor);
 }
 
+double mass_of(const Mover& mover) { return reciprocal(std::max({mover.inverse_mass.x, mover.inverse_mass.y, mover.inverse_mass.z})); }
+
 void Mover::shift(Vec3 by, Vec3 turned) {
+  if (!pushable) return;  // islands share what cannot be pushed, and may run in several threads
   position += by;
   if (turned == Vec3{}) return;
-  const bool keeps = pushable && is_free(turn_factor);
+  const bool keeps = is_free(turn_factor);
   const Vec3 momentum = keeps ? rotation * scaled(inertia, conjugate(rotation) * spin) : Vec3{};
   rotation = turned_by(rotation, turned);
   if (keeps) spin = rotation * unscaled(conjugate(rotation) * momentum, inertia);

@@ -38,10 +38,13 @@ struct Mover {
     velocity += scaled(inverse_mass, impulse);
     spin += inverse_inertia * twist;
   }
-  // A correction of its place that changes neither momentum nor angular momentum.
+  // A correction of its place that changes neither momentum nor angular momentum; of what can be pushed.
   void shift(Vec3 way, Vec3 turn);
   Vec3 velocity_at(Vec3 arm) const { return velocity + cross(spin, arm); }
 };
+
+// Along the axis in which it is lightest to push, kg; 0 of what cannot be pushed.
+double mass_of(const Mover& mover);
 
 // The mean velocity over h and the last one, of v' = a - k v: mean = v * mean_kept + a * mean_gained, and so on.
 struct Flight {
