@@ -13,6 +13,8 @@ constexpr double kLeastMobility = 1e-6;
 constexpr int kMostSweeps = 12;       // over drives that meet
 constexpr double kSettled = 1e-9;     // part of the largest impulse at which sweeps end
 constexpr int kGapRounds = 2;
+constexpr double kLeastRest = 1e-5;   // m or rad, that is left to be closed in further ones
+constexpr int kMostRounds = 8;        // of those
 // A repair of positions that costs more than this part of the motion's energy is no motion's, and gives no velocity.
 constexpr double kMostRepair = 2e-2, kMostRepairOfLoops = 2e-4;
 // Of what whipped so much remains to be reckoned with after a step, of so much at most.
@@ -22,8 +24,6 @@ constexpr double kMostGap = 0.2;
 // What repairs add to the diagonal, as parts of it; less than the last time is tried once in so many substeps.
 constexpr double kRegular[] = {1e-10, 1e-6, 1e-4, 1e-2};
 constexpr int kMostRegular = 3, kTryLess = 8;
-// What a pull may be, over inertia / h^2, before a part of it is taken implicitly.
-constexpr double kOwnStiffness = 0.25;
 constexpr double kClosed = 1e-13;     // nothing to close
 
 bool holds(const JointRow& row) { return row.friction < 0; }
@@ -242,7 +242,7 @@ Eigen::VectorXd Mechanism::repair(const Eigen::VectorXd& errors, double most_cos
     factored_ = regular_;
     Eigen::VectorXd shifts = factor_.solve(errors);
     cost = errors.dot(shifts);
-    if (cost <= most_cost || regular_ == kMostRegular) return shifts;
+    if (cost <= most_cost || regular_ == kMostRegular || is_tree()) return shifts;
   }
 }
 
@@ -276,7 +276,7 @@ void Mechanism::drift_along(const Row& row, double shift, double h) {
 // Of the energy of the motion. In loops rows say nearly the same, and repairs feed what they should not; and where one body
 // dwarfs the others, a small part of its energy is much to them.
 double Mechanism::most_repair() const {
-  if (links_.size() > bodies_.size()) return kMostRepairOfLoops;
+  if (!is_tree()) return kMostRepairOfLoops;
   double light = 0, heavy = INFINITY;
   for (const Mover* mover : bodies_) {
     const double ease = std::max({mover->inverse_mass.x, mover->inverse_mass.y, mover->inverse_mass.z});
@@ -306,6 +306,20 @@ void Mechanism::close_gaps(double h) {
     move(shifts, cost <= most ? 1 / h : 0);
     conserves_ &= cost <= most;
   }
+  if (is_tree()) close_rest();
+}
+
+// A blow that goes through a chain turns its links so far in a substep that the rows of before are no guide. What then is
+// left is closed along those of now, and gives no velocity.
+void Mechanism::close_rest() {
+  for (int round = 0; round < kMostRounds; ++round) {
+    const Eigen::VectorXd gaps = errors();
+    if (gaps.lpNorm<Eigen::Infinity>() < kLeastRest) return;
+    gather();
+    factor();
+    move(factor_.solve(gaps), 0);
+    conserves_ = false;
+  }
 }
 
 // Moves along the rows by -shifts, and gives them `rate` times as much velocity.
@@ -330,46 +344,6 @@ void Mechanism::move(const Eigen::VectorXd& shifts, double rate) {
     if (rate > 0) mover->push(mover->impulse * rate, mover->twist * rate);
   }
   held_ -= shifts * rate;
-}
-
-// A link that is pulled at both ends turns back as a stiff spring does, and no explicit step survives one that swings
-// faster than 2 / h. What is above a quarter of that is taken implicitly: more inertia across the pull (geometric stiffness).
-void Mechanism::note_stiffness(double h) {
-  for (Mover* mover : bodies_) {
-    mover->stiffness = 0;
-    mover->stiff_axis = {};
-  }
-  const auto add = [h](Mover& mover, Vec3 linear, Vec3 anchor, double impulse) {
-    if (!mover.pushable) return;
-    const Vec3 arm = anchor - mover.position;
-    mover.stiffness += h * impulse * dot(linear, arm);
-    if (dot(arm, arm) > dot(mover.stiff_axis, mover.stiff_axis)) mover.stiff_axis = arm;
-  };
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const Row& row = rows_[i];
-    const double impulse = pull_[static_cast<Eigen::Index>(i)];
-    const JointFrame now = frame(*row.link);
-    add(*row.link->a, row.row.linear_a, now.a.position, impulse);
-    add(*row.link->b, row.row.linear_b, now.b.position, impulse);
-  }
-  for (Mover* mover : bodies_) {
-    mover->stiff_axis = normalized(mover->stiff_axis);
-    const double own = std::max({mover->inertia.x, mover->inertia.y, mover->inertia.z}) * kOwnStiffness;
-    mover->stiffness = mover->stiff_axis == Vec3{} ? 0 : std::max(0.0, mover->stiffness - own);
-  }
-}
-
-void Mechanism::stiffen(double h) {
-  note_stiffness(h);
-  bool any = false;
-  for (Mover* mover : bodies_) {
-    if (mover->stiffness <= 0) continue;
-    mover->refresh();
-    any = true;
-  }
-  if (any) gather();
-  conserves_ &= !any;
-  factor();
 }
 
 void Mechanism::turn_to_now(double h) {

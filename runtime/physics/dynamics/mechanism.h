@@ -53,6 +53,8 @@ class Mechanism {
   void couple(Drive& drive);
   void close_bends(double h);
   void drift_along(const Row& row, double shift, double h);
+  void close_rest();
+  bool is_tree() const { return links_.size() <= bodies_.size(); }
   double most_repair() const;
   Eigen::VectorXd errors();
   Eigen::VectorXd repair(const Eigen::VectorXd& errors, double most_cost, double& cost);
