@@ -4,6 +4,7 @@
 
 #include "physics/bullet/contacts.h"
 #include "physics/bullet/convex_pair.h"
+#include "physics/bullet/crowd.h"
 #include "physics/bullet/materials.h"
 #include "physics/pairs/hub.h"
 
@@ -115,13 +116,16 @@ bool touches(const Contact& contact, bool already) {
   });
 }
 
+void forget_forces(Contact& contact) {
+  for (TouchPoint& point : contact.points) point.impulse = point.sum = 0;
+  contact.grip = contact.roll = {};
+  contact.lost = {};
+}
+
 // As if it were not there in this step.
 void leave_out(KeptContact& kept) {
-  for (TouchPoint& point : kept.contact.points) {
-    point.impulse = 0;
-    point.separation = kApart;
-  }
-  kept.contact.grip = kept.contact.roll = {};
+  forget_forces(kept.contact);
+  for (TouchPoint& point : kept.contact.points) point.separation = kApart;
   kept.spoil();
 }
 
@@ -158,9 +162,11 @@ void StepContacts::gather(Collision& collision, std::deque<Mover>& movers, doubl
   taken_.clear();
   made_.clear();
   chases_.clear();
+  const Crowd crowd(collision.found());
   for (KeptContact* kept : collision.found()) {
-    kept->touching = false;
-    if (moves(*kept->a) || moves(*kept->b)) take(*kept, movers, seconds);
+    kept->touching = crowd.leaves_out(*kept);
+    if (kept->touching) forget_forces(kept->contact);
+    else if (moves(*kept->a) || moves(*kept->b)) take(*kept, movers, seconds);
   }
   collision.each_manifold(Overlap::solids, [&](btPersistentManifold& manifold) {
     if (moves(*state_of(manifold.getBody0())) || moves(*state_of(manifold.getBody1()))) make(manifold, movers, seconds);

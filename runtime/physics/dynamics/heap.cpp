@@ -16,10 +16,6 @@ namespace {
 // until a stack does not tremble, and many while a blow goes through it.
 constexpr double kQuiet = 1, kLoose = 25;
 constexpr double kLeastKept = 1e-30;  // of a velocity, in a substep
-constexpr int kFewRounds = 4, kMostRounds = 80;
-// Contacts times rounds: a tick is not to take seconds for one blow. Where bodies have more contacts than ever lie around
-// one, they were put into each other, and there is nothing to be got right yet.
-constexpr double kMostSolves = 1e6, kMostAround = 10;
 constexpr std::size_t kBodies = 128, kBatches = 24;  // that are worth handing to another thread
 constexpr int kColors = 63;          // and one more for what has neighbours in all of them, a contact to a batch
 
@@ -79,6 +75,7 @@ void HeapOf<F>::add(Island& island) {
     mover->record = 0;
     if (!mover->pushable) continue;
     mover->record = static_cast<int>(records_.size());
+    deep_ += mover->deep;
     const Vec3 i = mover->inertia;
     const Quat q = mover->rotation;
     records_.push_back({mover,
@@ -315,9 +312,8 @@ bool HeapOf<F>::solve_batch(Batch<F>& batch, int round, int least, const Aim& ai
 template <class F>
 void HeapOf<F>::solve_in_rounds(int least, const Aim& aim, Team& team) {
   std::fill(stirred_.begin(), stirred_.end(), -1);
-  const double contacts = std::max(1.0, static_cast<double>(members_.size())), crowd = kMostAround * static_cast<double>(records_.size()) / contacts;
-  const auto affordable = static_cast<int>(kMostSolves / contacts * std::min(1.0, crowd));
-  const int most = std::clamp(affordable, std::max(least, kFewRounds), std::max(least, kMostRounds));
+  const double contacts = static_cast<double>(members_.size());
+  const int most = most_rounds(contacts, std::max(contacts, deep_ / 2) / static_cast<double>(records_.size()), least);
   for (int round = 0; round < most; ++round) {
     std::atomic<bool> any = false;
     each_by_color(team, [&](Batch<F>& batch) {
@@ -347,6 +343,7 @@ void HeapOf<F>::run(double seconds, int substeps, int rounds, Team& team) {
   finish(seconds, h, team);
   records_.clear();
   members_.clear();
+  deep_ = 0;
 }
 
 // The spin follows from the angular momentum and from how it then is turned.

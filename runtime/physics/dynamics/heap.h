@@ -65,6 +65,7 @@ class HeapOf {
   void read_back(const Member& member, double seconds, double h);
 
   std::vector<Record> records_;
+  double deep_ = 0;  // contacts of bodies, counted at both, also those that were left out: see Crowd
   std::vector<Drive> drives_;
   std::vector<Motion> velocities_, free_, held_, ways_;  // without contacts, and what these gave in the substep before
   std::vector<int> stirred_;  // the last round that changed a body's velocity much
@@ -78,6 +79,9 @@ using Heap = HeapOf<Four>;
 
 // Is it large and plain enough?
 bool is_heap(const Island& island);
+// At most so many rounds, which are ended when no speed changes much: with so many contacts, and so many to each body.
+constexpr int kFewRounds = 4;
+int most_rounds(double contacts, double around, int least);
 
 extern template class HeapOf<Four>;
 extern template class HeapOf<float>;

@@ -30,6 +30,7 @@ struct Mover {
   bool bound = false;          // a joint holds it
   int record = 0;              // of a heap
   int grounds = 0;             // how many contacts it has with what cannot be pushed
+  int deep = 0;                // how many are deep ones: see Crowd
 
   // The inverse inertia at the rotation that it has now.
   void refresh();
