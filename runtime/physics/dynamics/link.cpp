@@ -24,10 +24,4 @@ double speed(const Link& link, const JointRow& row) {
          dot(row.angular_b, link.b->spin);
 }
 
-void note_impulse(Link& link, const JointRow& row, double impulse) {
-  const Vec3 arm = link.a->rotation * link.local_a.position;
-  link.impulse += row.linear_a * impulse;
-  link.twist += (row.angular_a - cross(arm, row.linear_a)) * impulse;
-}
-
 }  // namespace tumble::dynamics

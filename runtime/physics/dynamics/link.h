@@ -23,7 +23,5 @@ JointFrame frame(const Link& link);
 void refresh(Link& link);
 // The velocity along a row.
 double speed(const Link& link, const JointRow& row);
-// Adds what an impulse along a row did.
-void note_impulse(Link& link, const JointRow& row, double impulse);
 
 }  // namespace tumble::dynamics

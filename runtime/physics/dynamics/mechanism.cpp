@@ -81,8 +81,16 @@ void Mechanism::begin_step(double h) {
 }
 
 Mechanism::Row Mechanism::with_response(Link& link, const JointRow& row) const {
-  return {&link, row, scaled(link.a->inverse_mass, row.linear_a), link.a->inverse_inertia * row.angular_a,
-          scaled(link.b->inverse_mass, row.linear_b), link.b->inverse_inertia * row.angular_b};
+  Row out{&link, row, {}, {}, {}, {}, row.angular_a - cross(link.a->rotation * link.local_a.position, row.linear_a)};
+  if (link.a->pushable) {
+    out.shift_a = scaled(link.a->inverse_mass, row.linear_a);
+    out.turn_a = link.a->inverse_inertia * row.angular_a;
+  }
+  if (link.b->pushable) {
+    out.shift_b = scaled(link.b->inverse_mass, row.linear_b);
+    out.turn_b = link.b->inverse_inertia * row.angular_b;
+  }
+  return out;
 }
 
 void Mechanism::gather() {
@@ -108,10 +116,11 @@ void Mechanism::factor() {
     const Row &x = rows_[static_cast<std::size_t>(i)], &y = rows_[static_cast<std::size_t>(j)];
     const Link &on = *x.link, &by = *y.link;
     double value = 0;
-    if (on.a == by.a) value += dot(x.row.linear_a, y.shift_a) + dot(x.row.angular_a, y.turn_a);
-    if (on.a == by.b) value += dot(x.row.linear_a, y.shift_b) + dot(x.row.angular_a, y.turn_b);
-    if (on.b == by.a) value += dot(x.row.linear_b, y.shift_a) + dot(x.row.angular_b, y.turn_a);
-    if (on.b == by.b) value += dot(x.row.linear_b, y.shift_b) + dot(x.row.angular_b, y.turn_b);
+    const bool a = on.a->pushable, b = on.b->pushable;
+    if (a && on.a == by.a) value += dot(x.row.linear_a, y.shift_a) + dot(x.row.angular_a, y.turn_a);
+    if (a && on.a == by.b) value += dot(x.row.linear_a, y.shift_b) + dot(x.row.angular_a, y.turn_b);
+    if (b && on.b == by.a) value += dot(x.row.linear_b, y.shift_a) + dot(x.row.angular_b, y.turn_a);
+    if (b && on.b == by.b) value += dot(x.row.linear_b, y.shift_b) + dot(x.row.angular_b, y.turn_b);
     values_.push_back(value);
   }
   factored_ = 0;
@@ -148,7 +157,8 @@ void Mechanism::give(const Row& row, double impulse) const {
   };
   give_to(*row.link->a, row.shift_a, row.turn_a);
   give_to(*row.link->b, row.shift_b, row.turn_b);
-  note_impulse(*row.link, row.row, impulse);
+  row.link->impulse += row.row.linear_a * impulse;
+  row.link->twist += row.twist * impulse;
 }
 
 void Mechanism::end_step() { energy_.end(bodies_, conserves_ && !touched); }
@@ -165,11 +175,11 @@ void Mechanism::begin() {
 
 void Mechanism::solve_held() {
   if (rows_.empty()) return;
-  Eigen::VectorXd moving(static_cast<Eigen::Index>(rows_.size()));
-  for (std::size_t i = 0; i < rows_.size(); ++i) moving[static_cast<Eigen::Index>(i)] = speed(*rows_[i].link, rows_[i].row);
-  const Eigen::VectorXd impulses = factor_.solve(moving);
-  for (std::size_t i = 0; i < rows_.size(); ++i) give(rows_[i], -impulses[static_cast<Eigen::Index>(i)]);
-  held_ -= impulses;
+  impulses_.resize(static_cast<Eigen::Index>(rows_.size()));
+  for (std::size_t i = 0; i < rows_.size(); ++i) impulses_[static_cast<Eigen::Index>(i)] = -speed(*rows_[i].link, rows_[i].row);
+  factor_.solve_in_place(impulses_);
+  for (std::size_t i = 0; i < rows_.size(); ++i) give(rows_[i], impulses_[static_cast<Eigen::Index>(i)]);
+  held_ += impulses_;
 }
 
 // What motor, brake and limits give along a spring's freedom; they come after it in the list.
@@ -221,28 +231,31 @@ void Mechanism::solve_before(double h) {
   solve_drives();
 }
 
-Eigen::VectorXd Mechanism::errors() {
-  Eigen::VectorXd errors(static_cast<Eigen::Index>(rows_.size()));
+// Tells the largest, m or rad.
+double Mechanism::find_gaps() {
+  gaps_.resize(static_cast<Eigen::Index>(rows_.size()));
   Eigen::Index at = 0;
   for (Link* link : links_) {
     refresh(*link);
-    each_held(*link, [&](const JointRow& row) { errors[at++] = row.error; });
+    each_held(*link, [&](const JointRow& row) { gaps_[at++] = row.error; });
   }
-  const double largest = errors.lpNorm<Eigen::Infinity>();
-  if (largest > kMostGap) errors *= kMostGap / largest;
-  return errors;
+  refreshed_ = true;
+  const double largest = gaps_.lpNorm<Eigen::Infinity>();
+  if (largest > kMostGap) gaps_ *= kMostGap / largest;
+  return largest;
 }
 
-// Where the rows hardly differ, as in a taut rope between two walls, closing a gap of nothing takes pushes without
-// bound. The more is added to the diagonal, the more of such a gap is left open (K. Levenberg, 1944): as much as the last
-// time, to begin with, since factoring is what costs.
-Eigen::VectorXd Mechanism::repair(const Eigen::VectorXd& errors, double most_cost, double& cost) {
+// Finds shifts along the rows that close the gaps, and tells their cost. Where the rows hardly differ, as in a taut rope
+// between two walls, closing a gap of nothing takes pushes without bound. The more is added to the diagonal, the more of
+// such a gap is left open (K. Levenberg, 1944): as much as the last time, to begin with, since factoring is what costs.
+double Mechanism::repair(double most_cost) {
   for (;; ++regular_) {
     if (regular_ != factored_) factor_.factor(values_, kRegular[regular_]);
     factored_ = regular_;
-    Eigen::VectorXd shifts = factor_.solve(errors);
-    cost = errors.dot(shifts);
-    if (cost <= most_cost || regular_ == kMostRegular || is_tree()) return shifts;
+    shifts_ = gaps_;
+    factor_.solve_in_place(shifts_);
+    const double cost = gaps_.dot(shifts_);
+    if (cost <= most_cost || regular_ == kMostRegular || is_tree()) return cost;
   }
 }
 
@@ -292,18 +305,16 @@ void Mechanism::close_gaps(double h) {
   if (rows_.empty()) return;
   if (regular_ > 0 && ++since_less_ % kTryLess == 0) --regular_;
   for (int round = 0; round < kGapRounds; ++round) {
-    const Eigen::VectorXd gaps = errors();
-    if (gaps.lpNorm<Eigen::Infinity>() < kClosed) break;
-    double motion = 0, fall = 0, cost = 0;
+    if (find_gaps() < kClosed) return;
+    double motion = 0, fall = 0;
     for (const Mover* mover : bodies_) {
       motion += kinetic_energy(*mover);
       fall += energy_of_fall(*mover, h);
     }
-    const double most = most_repair() * (motion + fall) * 2 * h * h;
-    const Eigen::VectorXd shifts = repair(gaps, most, cost);
+    const double most = most_repair() * (motion + fall) * 2 * h * h, cost = repair(most);
     // What moves no faster than it would by falling through the substep does not whip, but trembles about its rest.
     if (round == 0 && motion > 0) whip_ = std::max(whip_, std::min(cost / (2 * h * h * (motion + fall)), kMostRemembered) / (h * h));
-    move(shifts, cost <= most ? 1 / h : 0);
+    move(cost <= most ? 1 / h : 0);
     conserves_ &= cost <= most;
   }
   if (is_tree()) close_rest();
@@ -312,22 +323,23 @@ void Mechanism::close_gaps(double h) {
 // A blow that goes through a chain turns its links so far in a substep that the rows of before are no guide. What then is
 // left is closed along those of now, and gives no velocity.
 void Mechanism::close_rest() {
-  for (int round = 0; round < kMostRounds; ++round) {
-    const Eigen::VectorXd gaps = errors();
-    if (gaps.lpNorm<Eigen::Infinity>() < kLeastRest) return;
+  for (int round = 0; round < kMostRounds && find_gaps() > kLeastRest; ++round) {
     gather();
     factor();
-    move(factor_.solve(gaps), 0);
+    shifts_ = gaps_;
+    factor_.solve_in_place(shifts_);
+    move(0);
     conserves_ = false;
   }
 }
 
 // Moves along the rows by -shifts, and gives them `rate` times as much velocity.
-void Mechanism::move(const Eigen::VectorXd& shifts, double rate) {
+void Mechanism::move(double rate) {
+  refreshed_ = false;
   for (Mover* mover : bodies_) mover->way = mover->turn = mover->impulse = mover->twist = {};
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Row& row = rows_[i];
-    const double shift = -shifts[static_cast<Eigen::Index>(i)];
+    const double shift = -shifts_[static_cast<Eigen::Index>(i)];
     const auto add = [shift](Mover& mover, Vec3 way, Vec3 turn, Vec3 linear, Vec3 angular) {
       if (!mover.pushable) return;
       mover.way += way * shift;
@@ -337,17 +349,21 @@ void Mechanism::move(const Eigen::VectorXd& shifts, double rate) {
     };
     add(*row.link->a, row.shift_a, row.turn_a, row.row.linear_a, row.row.angular_a);
     add(*row.link->b, row.shift_b, row.turn_b, row.row.linear_b, row.row.angular_b);
-    if (rate > 0) note_impulse(*row.link, row.row, shift * rate);
+    if (rate == 0) continue;
+    row.link->impulse += row.row.linear_a * (shift * rate);
+    row.link->twist += row.twist * (shift * rate);
   }
   for (Mover* mover : bodies_) {
     mover->shift(mover->way, mover->turn);
     if (rate > 0) mover->push(mover->impulse * rate, mover->twist * rate);
   }
-  held_ -= shifts * rate;
+  held_ -= shifts_ * rate;
 }
 
 void Mechanism::turn_to_now(double h) {
-  for (Link* link : links_) refresh(*link);
+  if (!refreshed_)
+    for (Link* link : links_) refresh(*link);
+  refreshed_ = false;
   pull_ = 2 * held_;  // the other half of the substep is to come
   for (Mover* mover : bodies_) {
     if (mover->stiffness == 0) continue;

@@ -42,6 +42,7 @@ class Mechanism {
     Link* link = nullptr;
     JointRow row;
     Vec3 shift_a, turn_a, shift_b, turn_b;  // what an impulse of 1 does to both bodies
+    Vec3 twist;                             // and how it twists a about the anchor
   };
   void find_bodies();
   void gather();
@@ -56,9 +57,9 @@ class Mechanism {
   void close_rest();
   bool is_tree() const { return links_.size() <= bodies_.size(); }
   double most_repair() const;
-  Eigen::VectorXd errors();
-  Eigen::VectorXd repair(const Eigen::VectorXd& errors, double most_cost, double& cost);
-  void move(const Eigen::VectorXd& shifts, double rate);
+  double find_gaps();
+  double repair(double most_cost);
+  void move(double rate);
   void solve_drives();
   double beside(const Drive& spring) const;
   double drive_once(Drive& drive);
@@ -71,6 +72,7 @@ class Mechanism {
   std::vector<Drive> drives_;
   std::vector<std::pair<int, int>> pattern_;
   std::vector<double> values_;
+  Eigen::VectorXd gaps_, shifts_, impulses_;  // of the rows
   Eigen::VectorXd held_;         // impulses along the rows in this substep
   Eigen::VectorXd pull_;         // of the whole of the last one
   Factor factor_;
@@ -81,6 +83,7 @@ class Mechanism {
   EnergyBook energy_;
   bool conserves_ = false;       // so far in this step, has nothing but constant forces done work?
   bool aimed_ = false;
+  bool refreshed_ = false;       // are rows and gaps those of the bodies' poses?
 };
 
 }  // namespace tumble::dynamics

@@ -18,18 +18,21 @@ void Mechanism::note_stiffness(double h) {
     mover->stiffness = 0;
     mover->stiff_axis = {};
   }
-  const auto add = [h](Mover& mover, Vec3 linear, Vec3 anchor, double impulse) {
+  const auto add = [h](Mover& mover, const Pose& local, Vec3 impulse) {
     if (!mover.pushable) return;
-    const Vec3 arm = anchor - mover.position;
-    mover.stiffness += h * impulse * dot(linear, arm);
+    const Vec3 arm = mover.rotation * local.position;
+    mover.stiffness += h * dot(impulse, arm);
     if (dot(arm, arm) > dot(mover.stiff_axis, mover.stiff_axis)) mover.stiff_axis = arm;
   };
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const Row& row = rows_[i];
-    const double impulse = pull_[static_cast<Eigen::Index>(i)];
-    const JointFrame now = frame(*row.link);
-    add(*row.link->a, row.row.linear_a, now.a.position, impulse);
-    add(*row.link->b, row.row.linear_b, now.b.position, impulse);
+  for (std::size_t i = 0; i < rows_.size();) {
+    const Link& link = *rows_[i].link;
+    Vec3 on_a, on_b;
+    for (; i < rows_.size() && rows_[i].link == &link; ++i) {
+      on_a += rows_[i].row.linear_a * pull_[static_cast<Eigen::Index>(i)];
+      on_b += rows_[i].row.linear_b * pull_[static_cast<Eigen::Index>(i)];
+    }
+    add(*link.a, link.local_a, on_a);
+    add(*link.b, link.local_b, on_b);
   }
   for (Mover* mover : bodies_) {
     mover->stiff_axis = normalized(mover->stiff_axis);

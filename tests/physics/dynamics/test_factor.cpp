@@ -1,5 +1,7 @@
 #include "physics/dynamics/factor.h"
 
+#include <Eigen/Cholesky>
+
 #include <catch2/catch.hpp>
 
 using namespace tumble;
