@@ -20,7 +20,6 @@ void push(ShapeParts& parts, std::unique_ptr<btCollisionShape> shape, const Pose
 std::unique_ptr<btCollisionShape> make_box(Vec3 half) {
   auto box = std::make_unique<btBoxShape>(to_bullet(half));
   box->setMargin(margin_of(std::min({half.x, half.y, half.z})));
-  box->initializePolyhedralFeatures();  // so that it meets hulls by faces, with several points
   return box;
 }
 
@@ -63,7 +62,6 @@ void push_hull(ShapeParts& parts, const std::vector<Vec3>& points) {
   const Vec3 half = (high - low) / 2;
   hull->recalcLocalAabb();
   hull->setMargin(margin_of(std::min({half.x, half.y, half.z})));
-  hull->initializePolyhedralFeatures();
   parts.planes = planes_of(faces);
   parts.solid = pairs::make_polyhedron(faces);
   hull->setUserPointer(&parts.solid);
