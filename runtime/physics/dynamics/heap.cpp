@@ -15,6 +15,9 @@ namespace {
 // Rounds go on, where it still runs, while speeds change by more than so many m/s for each second of a substep: a few rounds
 // until a stack does not tremble, and many while a blow goes through it.
 constexpr double kQuiet = 1, kLoose = 25;
+// A blow that changes a speed by this much, m/s, is followed further down than what sways: what it leaves undone in a wall
+// that lands topples its columns.
+constexpr double kBlow = 2, kLooseInBlow = 4;
 constexpr double kLeastKept = 1e-30;  // of a velocity, in a substep
 constexpr std::size_t kBodies = 128, kBatches = 24;  // that are worth handing to another thread
 constexpr int kColors = 63;          // and one more for what has neighbours in all of them, a contact to a batch
@@ -297,8 +300,10 @@ template <class F>
 bool HeapOf<F>::solve_batch(Batch<F>& batch, int round, int least, const Aim& aim) {
   F takes_part = all<F>(1);
   if (round >= least && !find_stirred(batch, round - 1, takes_part)) return false;
-  const auto loose = static_cast<float>((round < kFewRounds ? kQuiet : kLoose) / aim.per_second);
+  const double most = round < kFewRounds ? kQuiet : blow_ ? kLooseInBlow : kLoose;
+  const auto loose = static_cast<float>(most / aim.per_second);
   const F changed = solve(batch, rows_.data(), velocities_.data(), aim, takes_part);
+  if (round == 0 && any_reaches(changed, kBlow)) blow_.store(true, std::memory_order_relaxed);
   if (!any_reaches(changed, loose)) return false;
   for (int i = 0; i < kLanes<F>; ++i) {
     if (lane(changed, i) < loose) continue;
@@ -334,6 +339,7 @@ void HeapOf<F>::run(double seconds, int substeps, int rounds, Team& team) {
     each_batch(team, [&](std::size_t k) { measure(batches_[k], rows_.data(), ways_.data(), static_cast<float>(i) * step); });
     each_body(team, [&](std::size_t k) { kick(k); });
     if (i == 0) each_by_color(team, [&](Batch<F>& batch) { warm_start(batch, rows_.data(), velocities_.data()); });
+    blow_ = false;
     solve_in_rounds(rounds, {&softness, 1 / step}, team);
     each_body(team, [&](std::size_t k) { drift(k, step); });
     solve_in_rounds(rounds, {nullptr, 1 / step}, team);

@@ -5,6 +5,7 @@
 // double. Where that is not enough, is_heap() says no.
 #pragma once
 
+#include <atomic>
 #include <vector>
 
 #include "base/team.h"
@@ -65,6 +66,7 @@ class HeapOf {
   void read_back(const Member& member, double seconds, double h);
 
   std::vector<Record> records_;
+  std::atomic<bool> blow_ = false;  // did one go through it in this substep?
   double deep_ = 0;  // contacts of bodies, counted at both, also those that were left out: see Crowd
   std::vector<Drive> drives_;
   std::vector<Motion> velocities_, free_, held_, ways_;  // without contacts, and what these gave in the substep before
