@@ -28,10 +28,11 @@ double least(const Candidates& found) {
   return separation;
 }
 
-void overlap_of_features(const Placed& a, const Placed& b, Vec3 normal, double margin, Candidates& found) {
+// `deep`: faces count that are not across the normal too, see around_nearest().
+void overlap_of_features(const Placed& a, const Placed& b, Vec3 normal, double margin, Candidates& found, bool deep = false) {
   Feature on_a = supporting_feature(a, -normal), on_b = supporting_feature(b, normal);
   const auto facing = [&](const Feature& feature) { return feature.count > 2 ? std::abs(dot(feature.normal, normal)) : 0; };
-  const bool aligned = std::max(facing(on_a), facing(on_b)) > kAligned;
+  const bool aligned = deep || std::max(facing(on_a), facing(on_b)) > kAligned;
   if (!aligned || edge_on(on_a, normal)) on_a = supporting_edge(a, -normal);
   if (!aligned || edge_on(on_b, normal)) on_b = supporting_edge(b, normal);
   overlap(on_a, on_b, normal, margin, found);
@@ -101,7 +102,8 @@ bool around_known(const Placed& a, const Placed& b, Vec3 known, double margin, M
   return true;
 }
 
-// All points along the direction of the nearest ones.
+// All points along the direction of the nearest ones. Two that were driven deep into each other, which they are along
+// some direction that is no face's, would turn about one point, and only get deeper: they are held apart all over.
 bool around_nearest(const Placed& a, const Placed& b, Nearest nearest, double margin, Manifold& out) {
   if (nearest.separation > margin) return false;
   Candidates found;
@@ -109,7 +111,7 @@ bool around_nearest(const Placed& a, const Placed& b, Nearest nearest, double ma
   if (!round) {
     nearest.normal = set_right(a, b, nearest.normal);
     nearest.separation = separation_along(a, b, nearest.normal);
-    overlap_of_features(a, b, nearest.normal, margin, found);
+    overlap_of_features(a, b, nearest.normal, margin, found, nearest.separation < -kShallow * size_of(a, b));
   }
   if (least(found) > nearest.separation + kMissed * size_of(a, b)) {
     // A sphere, always the first of its pair, knows its own point exactly; else the two are as wrong.

@@ -211,3 +211,27 @@ TEST_CASE("pairs: what is remembered of the pass before does not change what is 
     }
   CHECK(found > 3000);
 }
+
+// One point would let them turn about it, and sink in further on all sides of it.
+TEST_CASE("pairs: what was driven deep into each other is held apart all over", "[physics][pairs]") {
+  Random random(5);
+  const Convex cylinder = make_cylinder(0.4, 0.4);
+  int deep = 0, wide = 0;
+  for (const Convex& other : {make_box({0.45, 0.35, 0.4}), make_cylinder(0.35, 0.3), make_cone(0.5, 0.4)})
+    for (int trial = 0; trial < 500; ++trial) {
+      const Pose at_a{{}, random.rotation()}, at_b{random.direction() * 0.5, random.rotation()};
+      Cache cache;
+      Manifold found;
+      Nearest out;
+      if (!collide(cylinder, at_a, other, at_b, 0, cache, found) || !closest(cylinder, at_a, other, at_b, 0, out)) continue;
+      if (out.separation > -0.05) continue;
+      check_sound(found, 0);
+      double deepest = 0;
+      for (int i = 0; i < found.count; ++i) deepest = std::min(deepest, found.points[i].separation);
+      CHECK(deepest == Approx(out.separation).margin(1e-4));
+      ++deep;
+      wide += found.count >= 2;
+    }
+  REQUIRE(deep > 500);
+  CHECK(wide > 0.6 * deep);  // along an edge and a side that cross there is but one
+}
