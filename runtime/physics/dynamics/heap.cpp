@@ -15,9 +15,9 @@ namespace {
 // Rounds go on, where it still runs, while speeds change by more than so many m/s for each second of a substep: a few rounds
 // until a stack does not tremble, and many while a blow goes through it.
 constexpr double kQuiet = 1, kLoose = 25;
-// A blow that changes a speed by this much, m/s, is followed further down than what sways: what it leaves undone in a wall
-// that lands topples its columns.
-constexpr double kBlow = 2, kLooseInBlow = 4;
+// A blow that changes a speed by this much, m/s, is followed further down than what sways, where that is affordable: what
+// it leaves undone in a wall that lands topples its columns. So far with so many contacts, and less with more.
+constexpr double kBlow = 1, kLooseInBlow = 4, kInBlow = 250;
 constexpr double kLeastKept = 1e-30;  // of a velocity, in a substep
 constexpr std::size_t kBodies = 128, kBatches = 24;  // that are worth handing to another thread
 constexpr int kColors = 63;          // and one more for what has neighbours in all of them, a contact to a batch
@@ -300,8 +300,8 @@ template <class F>
 bool HeapOf<F>::solve_batch(Batch<F>& batch, int round, int least, const Aim& aim) {
   F takes_part = all<F>(1);
   if (round >= least && !find_stirred(batch, round - 1, takes_part)) return false;
-  const double most = round < kFewRounds ? kQuiet : blow_ ? kLooseInBlow : kLoose;
-  const auto loose = static_cast<float>(most / aim.per_second);
+  const double after_blow = std::clamp(kLooseInBlow * static_cast<double>(members_.size()) / kInBlow, kLooseInBlow, kLoose);
+  const auto loose = static_cast<float>((round < kFewRounds ? kQuiet : blow_ ? after_blow : kLoose) / aim.per_second);
   const F changed = solve(batch, rows_.data(), velocities_.data(), aim, takes_part);
   if (round == 0 && any_reaches(changed, kBlow)) blow_.store(true, std::memory_order_relaxed);
   if (!any_reaches(changed, loose)) return false;
@@ -317,8 +317,8 @@ bool HeapOf<F>::solve_batch(Batch<F>& batch, int round, int least, const Aim& ai
 template <class F>
 void HeapOf<F>::solve_in_rounds(int least, const Aim& aim, Team& team) {
   std::fill(stirred_.begin(), stirred_.end(), -1);
-  const double contacts = static_cast<double>(members_.size());
-  const int most = most_rounds(contacts, std::max(contacts, deep_ / 2) / static_cast<double>(records_.size()), least);
+  const double contacts = static_cast<double>(members_.size()), around = std::max(contacts, deep_ / 2) / static_cast<double>(records_.size());
+  const int most = most_rounds(contacts, around, least);
   for (int round = 0; round < most; ++round) {
     std::atomic<bool> any = false;
     each_by_color(team, [&](Batch<F>& batch) {
