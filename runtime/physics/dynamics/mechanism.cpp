@@ -56,6 +56,8 @@ void Mechanism::find_bodies() {
   for (const Link* link : links_)
     for (Mover* mover : {link->a, link->b})
       if (mover->pushable && std::find(bodies_.begin(), bodies_.end(), mover) == bodies_.end()) bodies_.push_back(mover);
+  const bool floats = std::all_of(links_.begin(), links_.end(), [](const Link* link) { return link->a->pushable && link->b->pushable; });
+  tree_ = links_.size() + (floats ? 1 : 0) <= bodies_.size();
 }
 
 void Mechanism::begin_step(double h) {
@@ -255,7 +257,7 @@ double Mechanism::repair(double most_cost) {
     shifts_ = gaps_;
     factor_.solve_in_place(shifts_);
     const double cost = gaps_.dot(shifts_);
-    if (cost <= most_cost || regular_ == kMostRegular || is_tree()) return cost;
+    if (cost <= most_cost || regular_ == kMostRegular || tree_) return cost;
   }
 }
 
@@ -289,7 +291,7 @@ void Mechanism::drift_along(const Row& row, double shift, double h) {
 // Of the energy of the motion. In loops rows say nearly the same, and repairs feed what they should not; and where one body
 // dwarfs the others, a small part of its energy is much to them.
 double Mechanism::most_repair() const {
-  if (!is_tree()) return kMostRepairOfLoops;
+  if (!tree_) return kMostRepairOfLoops;
   double light = 0, heavy = INFINITY;
   for (const Mover* mover : bodies_) {
     const double ease = std::max({mover->inverse_mass.x, mover->inverse_mass.y, mover->inverse_mass.z});
@@ -317,7 +319,7 @@ void Mechanism::close_gaps(double h) {
     move(cost <= most ? 1 / h : 0);
     conserves_ &= cost <= most;
   }
-  if (is_tree()) close_rest();
+  if (tree_) close_rest();
 }
 
 // A blow that goes through a chain turns its links so far in a substep that the rows of before are no guide. What then is

@@ -55,7 +55,6 @@ class Mechanism {
   void close_bends(double h);
   void drift_along(const Row& row, double shift, double h);
   void close_rest();
-  bool is_tree() const { return links_.size() <= bodies_.size(); }
   double most_repair() const;
   double find_gaps();
   double repair(double most_cost);
@@ -82,6 +81,7 @@ class Mechanism {
   double whip_ = 0;
   EnergyBook energy_;
   bool conserves_ = false;       // so far in this step, has nothing but constant forces done work?
+  bool tree_ = false;            // are there no loops? All that cannot be pushed is one body
   bool aimed_ = false;
   bool refreshed_ = false;       // are rows and gaps those of the bodies' poses?
 };
