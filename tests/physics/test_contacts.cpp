@@ -330,3 +330,23 @@ TEST_CASE("contacts: a plank that tips over the seam of two triangles does not f
     CHECK(scene.at(plank).y > 0.02);
   }
 }
+
+TEST_CASE("contacts: a capsule walks along a wall of tiles as along one piece", "[physics]") {
+  const auto walk = [](bool tiles) {
+    Scene scene;
+    scene.floor();
+    if (!tiles) scene.add(body(box({16, 3, 1}), BodyType::fixed), {0, 1.5, 0.5});
+    for (int x = -8; tiles && x < 8; ++x)
+      for (int y = 0; y < 3; ++y) scene.add(body(box({1, 1, 1}), BodyType::fixed), {x + 0.5, y + 0.5, 0.5});
+    BodyDef walker = body(upright(ShapeKind::capsule, 0.3, 1.8));
+    walker.mass = 70;
+    walker.lock_rotation = "xyz";
+    const BodyId id = scene.add(walker, {-6, 0.9, -0.3});
+    for (int tick = 0; tick < 180; ++tick) {
+      scene.world.set_velocity(id, {4, scene.world.velocity(id).y, 1});  // pressed against it, too
+      scene.world.step(kTick);
+    }
+    return scene.at(id);
+  };
+  CHECK(distance(walk(true), walk(false)) < 1e-3);
+}

@@ -15,6 +15,9 @@ constexpr double kSnapLoss = 1e-7;  // of the size
 constexpr double kAligned = 1 - 1e-8;
 // Points this much further apart than the shapes are (of the size) show that the features do not hold the nearest one.
 constexpr double kMissed = 1e-5;
+// A side that has come past an edge along it, by more than this (of the size), seen along the direction of before, is to be
+// looked at anew: that direction would stop it.
+constexpr double kBeside = 1e-4;
 // Of the size: shapes that overlap by more are looked at anew in every pass.
 constexpr double kShallow = 0.01;
 // A triangle met by its rim: see the header.
@@ -28,14 +31,14 @@ double least(const Candidates& found) {
   return separation;
 }
 
-// `deep`: faces count that are not across the normal too, see around_nearest().
-void overlap_of_features(const Placed& a, const Placed& b, Vec3 normal, double margin, Candidates& found, bool deep = false) {
+// `deep`: faces count that are not across the normal too, see around_nearest(). `beside`: see overlap().
+void overlap_of_features(const Placed& a, const Placed& b, Vec3 normal, double margin, Candidates& found, bool deep = false, double beside = kAnyhow) {
   Feature on_a = supporting_feature(a, -normal), on_b = supporting_feature(b, normal);
   const auto facing = [&](const Feature& feature) { return feature.count > 2 ? std::abs(dot(feature.normal, normal)) : 0; };
   const bool aligned = deep || std::max(facing(on_a), facing(on_b)) > kAligned;
   if (!aligned || edge_on(on_a, normal)) on_a = supporting_edge(a, -normal);
   if (!aligned || edge_on(on_b, normal)) on_b = supporting_edge(b, normal);
-  overlap(on_a, on_b, normal, margin, found);
+  overlap(on_a, on_b, normal, margin, beside, found);
 }
 
 // The direction across the side of a round shape that is nearest to the given outward one; zero if it has none.
@@ -96,7 +99,7 @@ bool around_known(const Placed& a, const Placed& b, Vec3 known, double margin, M
   const double separation = separation_along(a, b, normal);
   if (separation > margin || separation < -kShallow * size) return false;
   Candidates found;
-  overlap_of_features(a, b, normal, margin, found);
+  overlap_of_features(a, b, normal, margin, found, false, kBeside * size);
   if (found.count == 0 || least(found) > separation + kMissed * size) return false;
   choose_four(found, normal, out);
   return true;

@@ -78,7 +78,7 @@ void choose_four(const Candidates& all, Vec3 normal, Manifold& out) {
 
 bool clip(const Convex& a, const Pose& pose_a, const Convex& b, const Pose& pose_b, Vec3 normal, double margin, Manifold& out) {
   Candidates found;
-  overlap(supporting_feature({a, pose_a}, -normal), supporting_feature({b, pose_b}, normal), normal, margin, found);
+  overlap(supporting_feature({a, pose_a}, -normal), supporting_feature({b, pose_b}, normal), normal, margin, kAnyhow, found);
   choose_four(found, normal, out);
   return out.count > 0;
 }

@@ -187,7 +187,7 @@ struct Span {
   Flat at(double t) const { return mix(from, {from.x + along.x, from.y + along.y}, t); }
 };
 
-void segment_segment(const View& view, const Feature& a, const Feature& b, double margin, Candidates& found) {
+void segment_segment(const View& view, const Feature& a, const Feature& b, double margin, double beside, Candidates& found) {
   const Span s(view, a), t(view, b);
   const double ss = dot(s.along, s.along), tt = dot(t.along, t.along), turn = cross(s.along, t.along);
   if (ss <= 0 || tt <= 0) return;
@@ -199,6 +199,7 @@ void segment_segment(const View& view, const Feature& a, const Feature& b, doubl
   }
 
   // Along each other: the two ends of what both cover, each halfway between the two lines.
+  if (std::abs(cross(between, s.along)) > beside * std::sqrt(ss)) return;
   const double first = dot(between, s.along) / ss, second = first + dot(t.along, s.along) / ss;
   const double enter = std::max(0.0, std::min(first, second)), leave = std::min(1.0, std::max(first, second));
   if (enter > leave) return;
@@ -214,13 +215,13 @@ void segment_segment(const View& view, const Feature& a, const Feature& b, doubl
 
 bool edge_on(const Feature& feature, Vec3 normal) { return feature.count > 2 && std::abs(dot(feature.normal, normal)) < kEdgeOn; }
 
-void overlap(const Feature& a, const Feature& b, Vec3 normal, double margin, Candidates& found) {
+void overlap(const Feature& a, const Feature& b, Vec3 normal, double margin, double beside, Candidates& found) {
   if (edge_on(a, normal) || edge_on(b, normal)) return;
   const View view(b.points[0], normal);
   if (a.count > 2 && b.count > 2) polygon_polygon(view, a, b, margin, found);
   else if (b.count > 2) segment_polygon(view, a, b, true, margin, found);
   else if (a.count > 2) segment_polygon(view, b, a, false, margin, found);
-  else if (a.count == 2 && b.count == 2) segment_segment(view, a, b, margin, found);
+  else if (a.count == 2 && b.count == 2) segment_segment(view, a, b, margin, beside, found);
 }
 
 }  // namespace tumble::pairs

@@ -235,3 +235,18 @@ TEST_CASE("pairs: what was driven deep into each other is held apart all over", 
   REQUIRE(deep > 500);
   CHECK(wide > 0.6 * deep);  // along an edge and a side that cross there is but one
 }
+
+// Their lines stay along each other as it goes, so that the direction of before seems to hold: it would stop what slides past.
+TEST_CASE("pairs: an upright capsule that comes along an edge is told where the edge now is", "[physics][pairs]") {
+  const Convex capsule = make_capsule(0.3, 0.6), tile = make_box({0.5, 0.5, 0.5});
+  Cache cache;
+  for (double x = -0.3; x < 0; x += 0.02) {
+    const Pose at{{x, 0, 0.3}, {}}, beside{{0.5, 0, -0.5}, {}};
+    Manifold found;
+    REQUIRE(collide(capsule, at, tile, beside, 0.2, cache, found));
+    const double way = std::hypot(x, 0.3);
+    CHECK(found.normal.x == Approx(x / way).margin(1e-3));
+    CHECK(found.points[0].separation == Approx(way - 0.3).margin(1e-6));
+    CHECK(found.count == 2);
+  }
+}
