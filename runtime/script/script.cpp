@@ -237,7 +237,12 @@ std::string tidy_traceback(const std::string& traceback) {
     if (line.find("boot/") != std::string::npos || line.find("[C]:") != std::string::npos || line.find("(...tail calls...)") != std::string::npos || line.rfind("stack traceback", 0) == 0) continue;
     tidy += line + '\n';
   }
-  return tidy;
+  // A file is called by what loads it, under a name that says nothing; alone it only repeats where the error was.
+  constexpr std::string_view kFile = "in local 'chunk'";
+  const std::size_t at = tidy.find(kFile);
+  if (at == std::string::npos) return tidy;
+  if (std::count(tidy.begin(), tidy.end(), '\n') == 1) return "";
+  return tidy.replace(at, kFile.size(), "in the file itself");
 }
 
 // What Lua says of a missing component does not name the way out; we can.

@@ -152,3 +152,16 @@ TEST_CASE("hash: the same game, seed and input give the same hash; another seed 
   CHECK(run(1, 0) == run(1, 3));
   CHECK(run(1, 0) != run(2, 0));
 }
+
+TEST_CASE("errors: the way to one names the author's lines and nothing else", "[sandbox]") {
+  TestGame direct(Files{{"main.lua", "local x = nil + 1\n"}});
+  REQUIRE(direct.failures.size() == 1);
+  CHECK(direct.failures[0].traceback.empty());  // it would only repeat the line
+
+  TestGame called(Files{{"main.lua", "local function f(x)\n  return x.y.z\nend\nf({})\n"}});
+  REQUIRE(called.failures.size() == 1);
+  const std::string& way = called.failures[0].traceback;
+  CHECK(way.find("main.lua:2: in ") != std::string::npos);
+  CHECK(way.find("main.lua:4: in the file itself") != std::string::npos);
+  CHECK(way.find("chunk") == std::string::npos);
+}
