@@ -56,11 +56,14 @@ std::string quoted(const std::string& text) {
   return result + "\"";
 }
 
+// As it is called from here.
+const char* program() { return fs::exists("tumble") ? "./tumble" : "tumble"; }
+
 void check_name(const fs::path& folder, const std::string& name) {
   const auto bad = [](char c) { return static_cast<unsigned char>(c) < 32 || c == 127; };
   if (name.empty() || name.front() == '.' || name.front() == '-' || std::any_of(name.begin(), name.end(), bad))
     throw Error("new: '" + name + "' cannot be a game's name; begin it with a letter, such as mygame");
-  if (fs::exists(fs::symlink_status(folder))) throw Error("new: '" + folder.string() + "' exists already; give another name, or play it: tumble play " + shell_word(folder.string()));
+  if (fs::exists(fs::symlink_status(folder))) throw Error("new: '" + folder.string() + "' exists already; give another name, or play it: " + program() + " play " + shell_word(folder.string()));
   if (folder.has_parent_path() && !fs::is_directory(folder.parent_path()))
     throw Error("new: there is no folder '" + folder.parent_path().string() + "'; make it first");
 }
@@ -78,7 +81,7 @@ int make_game(std::string path) {
   write_file(folder / "bot.lua", kBot, "new");
   write_file(folder / "tests" / "first.lua", kTest, "new");
   const std::string word = name.find_first_of(" '\"$&()*;<>?[]\\`{|}~!#") == std::string::npos ? path : shell_word(path);
-  std::cout << "A new game is in '" << path << "'. Play it, and edit " << (folder / "main.lua").string() << " meanwhile:\n\n  ./tumble play " << word << '\n';
+  std::cout << "A new game is in '" << path << "'. Play it, and edit " << (folder / "main.lua").string() << " meanwhile:\n\n  " << program() << " play " << word << '\n';
   return 0;
 }
 
