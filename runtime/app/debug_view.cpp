@@ -146,9 +146,9 @@ void add_rows(DrawList& list, const std::vector<Row>& rows, double aspect) {
 }
 
 std::string cost_text(const WorldStats& stats) {
-  return std::to_string(stats.bodies) + " bodies, " + std::to_string(stats.joints) + " joints, " + std::to_string(stats.contacts) +
-         " contacts; " + std::to_string(stats.islands) + " islands, up to " + std::to_string(stats.substeps) +
-         " substeps: " + number_text(std::round(stats.step_ms * 100) / 100) + " ms a tick";
+  const auto some = [](int count, const char* one, const char* more) { return std::to_string(count) + ' ' + (count == 1 ? one : more); };
+  return some(stats.bodies, "body", "bodies") + ", " + some(stats.joints, "joint", "joints") + ", " + some(stats.contacts, "contact", "contacts") + "; " +
+         some(stats.islands, "island", "islands") + ", up to " + some(stats.substeps, "substep", "substeps") + ": " + number_text(std::round(stats.step_ms * 100) / 100) + " ms a tick";
 }
 
 }  // namespace
