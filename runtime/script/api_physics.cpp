@@ -346,10 +346,10 @@ void rows_hit(Area& a) {
   a.prop<hit_own_collider>("own_collider", "Which of mine, counted from 1.");
   a.prop<hit_point>("point", "Where, in the world, m.");
   a.prop<hit_normal>("normal", "The surface's direction towards me, or towards the ray's origin.");
-  a.prop<hit_speed>("speed", "How fast they approached before the hit, m/s.");
+  a.prop<hit_speed>("speed", "How fast they approached when the tick began, m/s.");
   a.prop<hit_impulse>("impulse", "What they pushed each other with in this tick, N s.");
   a.prop<hit_velocity>("velocity", "The other's velocity against mine, m/s.");
-  a.prop<hit_time>("time", "Of a trigger: when the shapes first or last touched, s on the clock of time.now and exact within the tick; of a stay or a query, time.now.");
+  a.prop<hit_time>("time", "Of a trigger: when the shapes first or last touched, s on the clock of time.now, exact within the tick for what flies freely in it; of a stay or a query, time.now. A collision tells none.");
   a.prop<hit_distance>("distance", "Of a query: how far from the origin, m.");
   a.prop<hit_origin>("origin", "Of a query: where it began.");
   a.prop<hit_end>("end_point", "Of a query: where it would have ended.");
