@@ -6,7 +6,7 @@ local core = ...
 
 local boot = {}                      -- what the engine calls, by name
 local parts = { core = core, boot = boot }
-for _, name in ipairs { "names", "files", "behaviours", "tasks", "handlers", "variables", "reload", "bot" } do
+for _, name in ipairs { "names", "files", "behaviours", "tasks", "frame_state", "handlers", "variables", "reload", "bot" } do
   parts[name] = core.part(name)(parts)
 end
 
