@@ -239,10 +239,10 @@ std::string tidy_traceback(const std::string& traceback) {
   }
   // A file is called by what loads it, under a name that says nothing; alone it only repeats where the error was.
   constexpr std::string_view kFile = "in local 'chunk'";
-  const std::size_t at = tidy.find(kFile);
-  if (at == std::string::npos) return tidy;
-  if (std::count(tidy.begin(), tidy.end(), '\n') == 1) return "";
-  return tidy.replace(at, kFile.size(), "in the file itself");
+  std::size_t at = tidy.find(kFile);
+  if (at != std::string::npos && std::count(tidy.begin(), tidy.end(), '\n') == 1) return "";
+  for (; at != std::string::npos; at = tidy.find(kFile, at)) tidy.replace(at, kFile.size(), "in the file itself");
+  return tidy;
 }
 
 // What Lua says of a missing component does not name the way out; we can.
