@@ -57,7 +57,7 @@ std::string quoted(const std::string& text) {
 }
 
 // As it is called from here.
-const char* program() { return fs::exists("tumble") ? "./tumble" : "tumble"; }
+const char* program() { return fs::is_regular_file("tumble") ? "./tumble" : "tumble"; }
 
 void check_name(const fs::path& folder, const std::string& name) {
   const auto bad = [](char c) { return static_cast<unsigned char>(c) < 32 || c == 127; };
