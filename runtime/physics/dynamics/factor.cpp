@@ -27,7 +27,7 @@ void Factor::factor(const std::vector<double>& values, double regular) {
   else fronts_.factor(whole_);
 }
 
-// Column by column; what is added to the diagonal keeps pivots above 0 but for rounding.
+// Row by row; what is added to the diagonal keeps pivots above 0 but for rounding.
 void Factor::factor_dense() {
   std::fill(dense_.begin(), dense_.end(), 0.0);
   for (std::size_t i = 0; i < entries_.size(); ++i) dense(entries_[i].first, entries_[i].second) = whole_[i];

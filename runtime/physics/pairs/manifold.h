@@ -26,10 +26,10 @@ struct Candidates {
   }
 };
 
+constexpr double kAnyhow = 1e300;  // m
 // The corners of what both features cover, seen along the normal, that are no further apart than the margin. The features
 // are treated alike, so that swapping a and b changes nothing. A polygon seen too much from its edge gives nothing, nor do
 // two segments along each other that lie, seen so, further `beside` each other than that, m.
-constexpr double kAnyhow = 1e300;
 void overlap(const Feature& a, const Feature& b, Vec3 normal, double margin, double beside, Candidates& found);
 
 bool edge_on(const Feature& feature, Vec3 normal);
